@@ -235,6 +235,15 @@ def test_a_file_cut_short_of_which_only_what_is_transparent_was_read_is_told(ses
         session.icon(str(file))
 
 
+def test_of_a_file_cut_short_that_is_refused_it_is_not_said_that_it_is_shown(session, tmp_path):
+    data = io.BytesIO()
+    Image.fromarray(chelsea() // 8 + 120).save(data, "JPEG")
+    (tmp_path / "cut.jpg").write_bytes(data.getvalue()[: data.tell() // 3])
+    with pytest.raises(IconstudioError, match="cut short or damaged") as caught:
+        session.icon(str(tmp_path / "cut.jpg"))
+    assert "is shown" not in str(caught.value)
+
+
 def test_a_file_of_which_nothing_can_be_read_is_refused(session, tmp_path):
     path = tmp_path / "house.webp"
     roof_of_a_house().save(path)

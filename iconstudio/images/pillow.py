@@ -50,6 +50,7 @@ _ONE_PICTURE = ("MPO", "PSD", "ICO", "ICNS")
 """Formats whose further pictures are layers, sizes or views of the same."""
 
 CUT_SHORT = "The file is cut short or damaged; what can be read of it is shown."
+DAMAGED = "The file is cut short or damaged."
 _UNREADABLE = "It is cut short or damaged: nothing of it can be shown. Save or copy it again."
 
 

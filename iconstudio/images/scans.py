@@ -9,6 +9,7 @@ from iconstudio.algorithms.scanning.binarisation import Scan, ink_of, recognised
 from iconstudio.algorithms.scanning.doubts import dots
 from iconstudio.algorithms.scanning.thickening import thickened
 from iconstudio.algorithms.tracing.potrace import traced
+from iconstudio.images.pillow import CUT_SHORT, DAMAGED
 from iconstudio.images.reading import Image, awaited, read_image
 from iconstudio.model import CANVAS, MARGIN, Credit, IconstudioError, Pictogram
 from iconstudio.model import Path as Outline
@@ -119,7 +120,9 @@ def read_scan(path: Path, workers: Workers) -> Generator[None, None, Pictogram]:
         tracing = yield from trace(found, None, path.name, workers, image.remark)
         return tracing.pictogram
     except IconstudioError as error:
-        said = " ".join(filter(None, [image.remark, str(error)]))
+        # Nothing of it is shown.
+        remark = DAMAGED if image.remark == CUT_SHORT else image.remark
+        said = " ".join(filter(None, [remark, str(error)]))
         raise IconstudioError(f"“{path}” cannot be used. {said}") from None
 
 

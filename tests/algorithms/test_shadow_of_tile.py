@@ -52,7 +52,7 @@ def saved(icon: np.ndarray, kind: str) -> np.ndarray:
 )
 def test_an_app_icon_with_a_shadow_is_its_sign(colour, side, blur, kind):
     scan = recognised(saved(app_icon(colour, side, blur), kind))
-    assert scan.omissions == {Omission.TILE, Omission.FAINT}
+    assert scan.omissions == {Omission.TILE, Omission.SHADOW}
     right = scans.fitted(rgba(SIGN, 512, "0 0 100 100")[..., 3] / 255)
     assert scans.iou(scans.fitted(ink_of(scan).astype(float)), right) > 0.85
 
@@ -64,7 +64,7 @@ def test_a_shadow_may_be_black_and_cut_off(side, kind):
     icon = app_icon("#39f", side, 0.03, 255).copy()
     icon[-side // 12 :, :, 3] = icon[:, -side // 12 :, 3] = 0
     scan = recognised(saved(icon, kind))
-    assert scan.omissions == {Omission.TILE, Omission.FAINT}
+    assert scan.omissions == {Omission.TILE, Omission.SHADOW}
     right = scans.fitted(rgba(SIGN, 512, "0 0 100 100")[..., 3] / 255)
     assert scans.iou(scans.fitted(ink_of(scan).astype(float)), right) > 0.85
 

@@ -47,8 +47,32 @@ def test_a_shadow_is_left_out_and_told(cast, ground, quality):
         shadow = 0.3 * ndimage.shift(solid, (5, 5), order=0)
     pixels = painted(shadow, (225, 40, 40), ground)
     scan = recognised(saved(pixels, quality) if quality else pixels)
-    assert Omission.FAINT in scan.omissions
+    assert Omission.SHADOW in scan.omissions
     assert scans.iou(scans.fitted(ink_of(scan).astype(float)), scans.fitted(solid)) > 0.9
+
+
+@pytest.mark.parametrize("quality", [0, 85])
+@pytest.mark.parametrize(
+    ("colour", "blur", "shift", "dense"),
+    [((225, 40, 40), 2, 6, 0.6), ((225, 40, 40), 9, 0, 0.3), ((40, 40, 40), 4, 9, 0.5)],
+)
+def test_of_a_soft_shadow_nothing_is_left_wherever_it_falls(colour, blur, shift, dense, quality):
+    """Far beside what casts it, it is even; around a hole, it falls through that."""
+    solid = heart() & (np.hypot(*(np.indices((SIDE, SIDE)) - 60)) > 11)
+    shadow = dense * ndimage.shift(ndimage.gaussian_filter(solid.astype(float), blur), shift)
+    lit = 255 * (1 - shadow[..., None])
+    pixels = np.where(solid[..., None], colour, lit).astype(np.uint8)
+    scan = recognised(saved(pixels, quality) if quality else pixels)
+    assert Omission.SHADOW in scan.omissions
+    assert scans.iou(scans.fitted(ink_of(scan).astype(float)), scans.fitted(solid)) > 0.95
+
+
+def test_even_greys_are_no_shadow():
+    """However like one they lie around what is painted in colour."""
+    pixels = painted(
+        ndimage.binary_dilation(heart(), iterations=9) * 0.1, (225, 40, 40), (255,) * 3
+    )
+    assert without_shadow(pixels) is None
 
 
 @pytest.mark.parametrize("quality", [0, 60, 90])

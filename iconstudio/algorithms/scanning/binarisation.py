@@ -29,6 +29,7 @@ from iconstudio.algorithms.scanning.doubts import (
     without_specks,
 )
 from iconstudio.algorithms.scanning.enlarged import at_own_resolution
+from iconstudio.algorithms.scanning.faint_lines import faint_lines, is_clean, with_faint_lines
 from iconstudio.algorithms.scanning.flat import flat_drawing
 from iconstudio.algorithms.scanning.free import LARGE, free_drawing, on_nothing
 from iconstudio.algorithms.scanning.margin import box_of, rim_of, with_margin, without_half_lines
@@ -129,7 +130,7 @@ def scanned(
         ground, valid, inverted = ground_of(small, inverted, sheet)
         coarse = np.where(valid, darkness(small, ground, inverted), 0.0)
         left_out = frozenset(() if valid.all() else {Omission.DESK})
-    bounds = _bounds(coarse)
+    bounds = _bounds(coarse, not inverted)
     if bounds is None and small.shape[2] == 3:
         # What is that faint was taken for paper.
         ground = trend(1 - small if inverted else small, valid)
@@ -150,6 +151,8 @@ def scanned(
     dark = _enlarged(dark, tuple(max(1, round(side * scale)) for side in dark.shape))
     dark = np.clip(scipy.ndimage.gaussian_filter(dark, 1.0), 0, 1)
     threshold = _threshold(dark) if bounds else None
+    if threshold is not None and not inverted:
+        dark = with_faint_lines(dark, threshold)
     fainter = False
     lines = None if threshold is None else drawing_in_faint_lines(dark, threshold)
     if threshold is not None and lines is not None:
@@ -206,7 +209,7 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     lit = without_shadow(pixels) if inverted is None else None
     if lit is not None:
         pixels = picture = lit
-        left_out = frozenset({Omission.FAINT})
+        left_out = frozenset({Omission.SHADOW})
     if inverted is None:
         pixels = on_nothing(pixels)
     if not inverted:
@@ -304,8 +307,11 @@ def _greys_of_edges(ink: NDArray[np.float32]) -> NDArray[np.float32]:
     return edges
 
 
-def _bounds(dark: NDArray[np.float32]) -> tuple[int, int, int, int] | None:
-    """Return left, top, right, bottom of the drawing with some air; None if there is none."""
+def _bounds(dark: NDArray[np.float32], axes: bool) -> tuple[int, int, int, int] | None:
+    """Return left, top, right, bottom of the drawing with some air; None if there is none.
+
+    It may have faint ``axes``.
+    """
     soft = scipy.ndimage.gaussian_filter(dark, 0.7)
     threshold = _threshold(soft)
     if threshold is None:
@@ -313,6 +319,8 @@ def _bounds(dark: NDArray[np.float32]) -> tuple[int, int, int, int] | None:
     # Also what is a little fainter than the rest: the user may want it.
     ink = without_specks(soft > 0.7 * threshold, soft.size // 20000)
     lines = drawing_in_faint_lines(soft, threshold)
+    if lines is None and axes and is_clean(soft, threshold):
+        lines = faint_lines(soft, threshold)
     box = box_of(ink if lines is None else ink | lines)
     if box is None:
         return None

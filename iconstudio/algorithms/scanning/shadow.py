@@ -8,8 +8,9 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.extremes import greatest_channel
 from iconstudio.algorithms.scanning.cutting import cut_out
-from iconstudio.algorithms.scanning.ground import AROUND, ASTRAY, Ground, ground_of, unevenness
+from iconstudio.algorithms.scanning.ground import AROUND, ASTRAY, Ground, ground_of
 from iconstudio.algorithms.scanning.resampling import premultiplied
+from iconstudio.algorithms.scanning.soft_shadow import TINGE, soft_shadow
 from iconstudio.algorithms.scanning.tile_shadow import shadow_of_tile
 from iconstudio.algorithms.tones.regions import Mask, nearest
 
@@ -17,29 +18,12 @@ _LONGEST = 1024
 """Pixels of the longer side of the largest picture that is looked at."""
 _AROUND = 0.7
 """How much of the rim has the colour of the ground, if the shadow of a tile reaches it."""
-_TINGE = 14.0
-"""Levels by which a shadow misses the colour of its ground, made darker."""
 _DEEPEST, _FAINTEST = 0.35, 0.96
 """How bright a shadow is at least and at most, as part of its ground."""
-_GENTLE = 36.0
-"""Levels by which a soft shadow differs within three pixels at most."""
-_STEP, _STEEP, _BESIDE = 0.5, 0.2, 9
-"""How much of its depth a soft shadow gains within three pixels, where it is steep; how much of it
-is so, within so many pixels across of the ground, at most."""
-_NEAR = 7
-"""Pixels across, of what lies along a shadow."""
-_FLAT, _ACROSS = 4.0, 5
-"""Levels by which an area differs that is as many pixels wide, if it is evenly painted."""
-_NOISE, _REACH = 10.0, 12
-"""Levels by which noise differs from an even area, at most, and within how many pixels of it."""
 _SEEN = 0.04
 """Size of what can be seen of a shadow, as part of that of the drawing, at least."""
 _LEAST = 0.25
 """Size of the drawing, as part of that of its shadow, at least."""
-_ALONG = 0.3
-"""How much of the contour of the drawing a soft shadow lies along, at least."""
-_LIKE = 0.12
-"""By how much of its ground a shadow in a hole differs in brightness from that outside."""
 _SHIFTED = 0.85
 """How much of a hard shadow is what the drawing covers, shifted, and the other way round."""
 _FAR = 0.12
@@ -66,7 +50,7 @@ def without_shadow(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         return None
     bright = (levels @ ground.colour[:3]) / (ground.colour[:3] @ ground.colour[:3])
     tinge = greatest_channel(abs(levels - bright[..., None] * ground.colour[:3]))
-    grey = (tinge < _TINGE) & ~ground.mask
+    grey = (tinge < TINGE) & ~ground.mask
     dark = grey & (bright > _DEEPEST)
     away = greatest_channel(abs(levels - ground.colour[:3]))
     # A shadow may be black; so may a tile, which is none then.
@@ -75,7 +59,7 @@ def without_shadow(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         shadow = shadow_of_tile(levels, dark, away, ground)
     told = not free and ground.around > AROUND
     if shadow is None and told:
-        shadow = _soft(levels, dark, bright, away, ground)
+        shadow = soft_shadow(levels, tinge, bright, ground)
     if shadow is None and told:
         shadow = _hard(dark & (bright < _FAINTEST), bright, away, ground)
     if shadow is None:
@@ -93,57 +77,6 @@ def _on_white(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     both = premultiplied(pixels.astype(np.float32))
     page: NDArray[np.uint8] = np.rint(both[..., :3] + 255 - both[..., 3:]).astype(np.uint8)
     return page
-
-
-def _soft(
-    levels: NDArray[np.float32],
-    dark: Mask,
-    bright: NDArray[np.float32],
-    away: NDArray[np.float32],
-    ground: Ground,
-) -> Mask | None:
-    """Return where a soft shadow lies, of what is ``dark``, or None."""
-    even = (unevenness(levels, _ACROSS) < _FLAT) & (away > ASTRAY / 2)
-    alike = _alike(levels, even)
-    painted = scipy.ndimage.binary_propagation(even, mask=alike)
-    painted |= scipy.ndimage.binary_dilation(even, np.ones((_ACROSS, _ACROSS)))
-    change = unevenness(levels, 3)
-    gentle = dark & (change < _GENTLE) & ~painted
-    outside = scipy.ndimage.binary_propagation(ground.mask, mask=ground.mask | gentle)
-    shadow = outside & ~ground.mask
-    drawn = ~outside & (away > ASTRAY)
-    seen = scipy.ndimage.binary_opening(shadow & (away > ASTRAY), np.ones((3, 3)))
-    # What is painted in such greys itself cannot be told from its shadow.
-    pale = (even & dark & (away > ASTRAY)).sum() > _SEEN * drawn.sum()
-    if pale or not _is_shadow(seen, drawn):
-        return None
-    wide, beside = (
-        scipy.ndimage.binary_dilation(one, np.ones((_BESIDE, _BESIDE)))
-        for one in (seen, ground.mask)
-    )
-    meets = scipy.ndimage.binary_dilation(shadow, np.ones((3, 3))) & wide & beside & ~ground.mask
-    steep = meets & (change > _STEP * np.percentile(away[seen], 90))
-    if steep.sum() >= _STEEP * meets.sum():
-        return None
-    contour = scipy.ndimage.binary_dilation(outside, np.ones((3, 3))) & ~outside
-    along = contour & scipy.ndimage.binary_dilation(seen, np.ones((_NEAR, _NEAR)))
-    if along.sum() < _ALONG * contour.sum():
-        return None
-    # What shows through holes is as dark as what lies outside, and no part of what is painted.
-    holes = gentle & (abs(bright - bright[nearest(shadow)]) < _LIKE)
-    beside = (alike | scipy.ndimage.binary_dilation(painted, np.ones((3, 3)))) & holes
-    found: Mask = shadow | (holes & ~scipy.ndimage.binary_propagation(beside, mask=holes))
-    return found
-
-
-def _alike(levels: NDArray[np.float32], even: Mask) -> Mask:
-    """Return what is as the even area beside it, but for the noise that files leave at edges."""
-    if not even.any():
-        return even
-    distance, (rows, columns) = scipy.ndimage.distance_transform_edt(~even, return_indices=True)
-    alike = greatest_channel(abs(levels - levels[rows, columns])) < _NOISE
-    like: Mask = even | (alike & (distance < _REACH))
-    return like
 
 
 def _hard(
