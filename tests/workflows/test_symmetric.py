@@ -174,3 +174,11 @@ def test_nothing_takes_the_place_of_what_is_more_plausible_or_has_no_axis(
     workers, before, after, axis
 ):
     assert run(workers, SIDE, before, after, axis)[1] == []
+
+
+def test_what_is_mirrored_does_not_depend_on_what_came_first():
+    narrow = np.where(np.arange(CANVAS) < 200, SIDE, 1)
+    icons = {0.1: made(SIDE, 0.1), 0.2: made(narrow, 0.2), 0.3: made(0 * SIDE, 0.3)}
+    backwards = dict(reversed(icons.items()))
+    one, other = (row_of(some, 0.1, pose, Axis.HORIZONTAL) for some in (icons, backwards))
+    assert list(one.labels) == list(other.labels) == [0.1, 0.3, 0.2]

@@ -131,3 +131,10 @@ def test_a_symmetric_result_is_no_part_of_the_row(workers):
     found = with_variety((one for one in events), pose, workers, render_placed, Fixed(0.9))
     places = [e.icon.composite.lambda_s for e in found if isinstance(e, Result)][len(icons) + 1 :]
     assert len(places) == len(set(places))
+
+
+def test_what_gives_way_does_not_depend_on_what_came_first():
+    some = [*row(0, 1, 1, 2, 3, 0)]
+    one, other = weak(some, 0.2, pose), weak(some[::-1], 0.2, pose)
+    assert one.places == other.places and one.without == other.without
+    assert all(map(np.array_equal, one.seen, other.seen))

@@ -145,7 +145,8 @@ def row_of(made: dict[float, Remix], best: float, pose: Pose, axis: Axis) -> Row
     About the vertical axis they are so where the recommended one nearly is.
     """
     first = made[best].composite
-    labels = {best: first.labels} | {value: one.composite.labels for value, one in made.items()}
+    falling = sorted(made, reverse=True)  # in whichever order they came
+    labels = {best: first.labels} | {value: made[value].composite.labels for value in falling}
     sources, twins = list(first.sources), list(range(len(first.sources)))
     aside = 0
     if axis is Axis.HORIZONTAL:

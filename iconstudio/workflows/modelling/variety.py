@@ -155,6 +155,7 @@ def weak(row: Sequence[Remix], best: float | None, pose: Pose) -> Weak | None:
     """
     if len(row) <= DIFFERENT:
         return None
+    row = sorted(row, key=lambda one: -one.composite.lambda_s)  # in whichever order they came
     plausible = {one.composite.lambda_s: one.score.plausible or 0.0 for one in row}
     inks = {one.composite.lambda_s: drawn_ink(one.drawing) for one in row}
     gallery, copies = Gallery(), []
