@@ -22,6 +22,8 @@ from iconstudio.workflows.grid import LAMBDAS, GridSettings
 
 _Work = TypeVar("_Work", Sketch, Edit)
 _STYLES = tuple(style.name for style in STYLES)
+_MOST = 64
+"""Values of an option: more would keep a computer busy for hours."""
 
 
 @dataclass(frozen=True)
@@ -194,4 +196,7 @@ def _joined(
 def _ascending(
     ctx: click.Context, param: click.Parameter, values: tuple[tuple[float, ...], ...]
 ) -> tuple[float, ...]:
-    return tuple(sorted({*flat(values)}))
+    numbers = tuple(sorted({*flat(values)}))
+    if len(numbers) > _MOST:
+        raise click.BadParameter(f"give at most {_MOST} numbers, not {len(numbers)}", ctx, param)
+    return numbers

@@ -19,7 +19,12 @@ class Words(click.ParamType):  # type: ignore[type-arg]  # generic only since Cl
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> tuple[Any, ...]:
         """Read ``a,b`` as ("a", "b")."""
-        return value if isinstance(value, tuple) else tuple(self.split(value))
+        if isinstance(value, tuple):
+            return value
+        words = self.split(value)
+        if not words:
+            self.fail("give a name, or leave the option out", param, ctx)
+        return tuple(words)
 
 
 class Numbers(Words):

@@ -38,13 +38,13 @@ def _about(icon: Remix, preview: bool) -> list[str]:
     # Of hybrids and montages, λ is always the same.
     weight = [] if composite.iou is None else [f"λ {composite.lambda_s:.2f}"]
     held = ["symmetric"] if composite.symmetry is not None else []
-    held += ["in place of another one"] if composite.without else []
+    held += ["for variety"] if composite.without else []
     return [*weight, "preview" if preview else made, *held, *_merits(icon)]
 
 
 def _merits(icon: Remix) -> list[str]:
     """Return how well an icon does what was wanted."""
-    inside = [f"what is inside by {icon.score.inside:.0%}"] if icon.score.inside < 1 else []
+    inside = [f"inside by {icon.score.inside:.0%}"] if icon.score.inside < 1 else []
     if icon.unchanged is not None:
         return [
             f"fits the change by {icon.score.likeness:.0%}",

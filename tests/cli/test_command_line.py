@@ -76,6 +76,8 @@ def test_bad_sketches_are_told_in_a_sentence(tmp_path, capsys, sketch, words):
         (["--styles", "shiny"], "no style 'shiny'"),
         (["--lambdas", "0.1,x"], "no list of numbers"),
         (["--lambdas", "0"], "above 0"),
+        (["--styles", ""], "give a name"),
+        (["--lambdas", ",".join(map(str, range(1, 100)))], "at most 64"),
         (["--lambdas", "nan"], "above 0"),
         (["--scales", "-1"], "above 0"),
         (["--scales", "50"], "up to 3"),

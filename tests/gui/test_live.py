@@ -729,7 +729,7 @@ def test_what_differs_waits_for_the_place_of_what_is_picked(drawn):
     assert results.pictures[0] is picked
     assert results.pictures[1].icon.composite.without == ("set:name",)
     results.pick(other.icon.composite.style, other.icon.composite.lambda_s)
-    assert "in place of another one" in drawn.detail._about.text()
+    assert "for variety" in drawn.detail._about.text()
     assert results.pictures[0].icon.composite.without == ("set:name",)
 
 

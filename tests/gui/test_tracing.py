@@ -227,3 +227,12 @@ def test_the_zoom_has_ends(sketching):
     for _ in range(200):
         sketching.view.zoom_out()
     assert 0 < sketching.view.camera.zoom < 0.05
+
+
+def test_an_empty_page_is_traced_on_whatever_was_drawn_last(sketching):
+    trace(sketching)
+    sketching.actions_by_name["hole"].trigger()
+    assert sketching.tool is sketching.tools["hole"]
+    sketching.actions_by_name["clear"].trigger()
+    assert sketching.tool is sketching.tools["trace"]
+    assert sketching.actions_by_name["trace"].isChecked()

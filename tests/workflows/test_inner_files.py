@@ -123,3 +123,10 @@ def test_a_hole_that_covers_the_outline_is_called_so():
     sketch = Sketch(Polygon.of(SQUARE), "dog", inner=Inner((around,), ()))
     with pytest.raises(IconstudioError, match="Hole 1 covers the outline"):
         fitted_sketch(sketch)
+
+
+def test_a_hole_that_leaves_nothing_of_the_outline_is_refused():
+    square = Polygon.of(SQUARE)
+    sketch = Sketch(square, "dog", inner=Inner((square,), ()))
+    with pytest.raises(IconstudioError, match="Hole 1 leaves nothing of the outline"):
+        fitted_sketch(sketch)

@@ -185,6 +185,10 @@ def check_inner(inner: Inner, outline: Bitmap) -> None:
                 raise IconstudioError(
                     f"{name} {number} {where} the outline. Move it inside, or remove it."
                 )
+            if name == "Hole" and not (outline & ~fill_polygon(Polygon(points), side)).any():
+                raise IconstudioError(
+                    f"Hole {number} leaves nothing of the outline. Draw it smaller, or remove it."
+                )
     for number, hole in enumerate(inner.holes, start=1):
         if not fill_polygon(hole, side).any():
             raise IconstudioError(

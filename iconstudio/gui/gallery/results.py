@@ -240,7 +240,7 @@ class ResultsPanel(QFrame):
 
     def recommend(self, style: str, lambda_s: float | None) -> None:
         """Mark the result of a style to look at first, if there is one, and no other."""
-        reason = f"of the {style} icons, this one holds together best and is closest to the outline"
+        reason = f"of the {style} icons that are new, this one is the likeliest to be good"
         for value in self.grid.lambdas:
             self.cell(style, value).recommend(reason if value == lambda_s else "")
 

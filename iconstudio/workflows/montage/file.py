@@ -83,7 +83,7 @@ class LayerFile(StrictRecord, frozen=True):
         """Refuse strokes that cannot be seen."""
         if self.strokes and not any(one.meets_canvas for one in self.strokes):
             its = "Its stroke lies" if len(self.strokes) == 1 else "All its strokes lie"
-            raise IconstudioError(f"{its} outside the canvas, 0 to {CANVAS}.")
+            raise IconstudioError(f"{its} outside the canvas. Draw between 0 and {CANVAS}.")
 
 
 class MontageFile(File[Montage], frozen=True):

@@ -158,6 +158,8 @@ class SketchWorkspace(RemixWorkspace):
         self.detail.large.show_pins(page.sketch.pins)
         if not page.vertices:
             self._regions = None
+            if not page.areas and self.tool is not self.tools["trace"]:
+                self.actions_by_name["trace"].trigger()
         self.show_regions()
 
     def show_regions(self, on: bool = True) -> None:
