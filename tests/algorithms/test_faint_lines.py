@@ -7,7 +7,7 @@ import pytest
 from PIL import Image, ImageDraw
 
 from iconstudio.algorithms.scanning.binarisation import ink_of, recognised
-from iconstudio.algorithms.scanning.faint_lines import faint_lines
+from iconstudio.algorithms.scanning.faint_lines import faint_lines, is_clean
 
 WIDTH, HEIGHT = 400, 260
 POINTS = [(60, 200), (130, 130), (200, 150), (270, 70), (350, 40)]
@@ -54,3 +54,7 @@ def test_pale_areas_and_rules_are_no_such_lines():
     assert not faint_lines(dark, 0.5).any()
     dark[220, 20:380] = 0.3
     assert faint_lines(dark, 0.5).sum() == 360
+
+
+def test_where_nothing_is_paper_no_line_is_faint():
+    assert not is_clean(np.ones((20, 20), np.float32), 0.5)

@@ -4,6 +4,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter
 from iconstudio.algorithms.scanning.margin import rim_of
 
 _VISIBLE, _GRAINS = 0.04, 8.0
@@ -43,7 +44,8 @@ def with_faint_lines(dark: NDArray[np.float32], threshold: float) -> NDArray[np.
 
 def is_clean(dark: NDArray[np.float32], threshold: float) -> bool:
     """Whether a computer painted the paper, that is what is paler than a threshold."""
-    return bool(np.percentile(dark[dark < threshold], 75) < _CLEAN)
+    paper = dark[dark < threshold]
+    return paper.size > 0 and bool(np.percentile(paper, 75) < _CLEAN)
 
 
 def faint_lines(dark: NDArray[np.float32], threshold: float) -> NDArray[np.bool_]:
@@ -68,6 +70,6 @@ def faint_lines(dark: NDArray[np.float32], threshold: float) -> NDArray[np.bool_
 def _dashed(slim: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return which pixels (h, w) are of level lines that others interrupt, as bars on an axis."""
     level = scipy.ndimage.binary_opening(slim, np.ones((1, _DASH)))
-    across = scipy.ndimage.maximum_filter(level, (_BESIDE, 1)).sum(axis=1)
+    across = maximum_filter(level, (_BESIDE, 1)).sum(axis=1)
     dashed: NDArray[np.bool_] = level & (across > _LONG * max(slim.shape))[:, None]
     return dashed
