@@ -39,6 +39,7 @@ from iconstudio.model import (
     Placement,
     Source,
 )
+from iconstudio.model.pictogram import NAMELESS, UNCOLLECTED
 from iconstudio.reading import MEMORY as READING_MEMORY
 from iconstudio.reading import SECONDS as READING_SECONDS
 from iconstudio.reading import SIMPLER, FileReader
@@ -249,8 +250,13 @@ class Session(FileReader, AbstractContextManager["Session"]):
         return path
 
     def keyword(self, pictogram: Pictogram) -> str:
-        """Return what icons like this one are looked for by; empty if its name does not say."""
-        return self.collection.keyword(pictogram.credit.title)
+        """Return what icons like this one are looked for by; empty if its name does not say.
+
+        A name that nobody gave says nothing.
+        """
+        keyword = self.collection.keyword(pictogram.credit.title)
+        nameless = pictogram.id.startswith(UNCOLLECTED) and keyword in NAMELESS
+        return "" if nameless else keyword
 
     def rasterise(
         self, pictograms: tuple[Pictogram, ...]

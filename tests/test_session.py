@@ -34,6 +34,17 @@ def test_an_icon_is_named_after_what_it_shows(session, reference, keyword):
     assert session.keyword(session.icon(reference)) == keyword
 
 
+@pytest.mark.parametrize("name", ["drawing", "image", "drawing.svg", "icon", "montage"])
+def test_a_name_that_nobody_gave_is_no_keyword(session, name):
+    icon = session.icon("lucide:image")
+    for identifier in ("own:a-1", "made:a-1"):
+        own = replace(icon, id=identifier, credit=replace(icon.credit, title=name))
+        assert session.keyword(own) == ""
+    named = replace(icon, id="own:cat-1", credit=replace(icon.credit, title="cat.svg"))
+    assert session.keyword(named) == "cat"
+    assert session.keyword(icon) == "image", "an icon of the collection is called so"
+
+
 def prepared(session, keyword):
     return finished(session.prepare(keyword))
 

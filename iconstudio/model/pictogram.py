@@ -7,6 +7,9 @@ OWN = "own:"
 UNCOLLECTED = ("made:", OWN)
 """Beginnings of the identifiers of icons that no collection has: results, and drawings."""
 
+NAMELESS = frozenset({"drawing", "image", "icon", "montage"})
+"""What such an icon is called if nobody named it: by this program, or by one that saved it."""
+
 
 @dataclass(frozen=True, slots=True)
 class Credit:

@@ -76,6 +76,12 @@ def test_remarks_of_several_icons_are_all_there(roomy, qtbot):
     assert told(roomy).splitlines() == lines
 
 
+def test_the_remark_on_the_newest_icon_comes_first(roomy, qtbot):
+    paste(roomy, qtbot, "shapes:ring-0", 1)
+    paste(roomy, qtbot, "shapes:cross-2", 2)
+    assert told(roomy).splitlines() == [f"“cross 2”: {TEXT} {COLOUR}", f"“ring 0”: {TEXT}"]
+
+
 def test_what_is_dismissed_comes_back_with_its_icon_only(roomy, qtbot):
     paste(roomy, qtbot, "shapes:ring-0", 1)
     roomy.window().pane.notice._button.click()

@@ -70,13 +70,17 @@ class WorkspacePane(QWidget):
         self.status.show_progress(progress)
 
     def _show_remarks(self) -> None:
-        """Show the remarks on the page as it is now, and its icons; messages are dealt with."""
+        """Show the remarks on the page as it is now, and its icons, those on the newest first.
+
+        Messages are dealt with.
+        """
         about: dict[tuple[str, ...], list[str]] = {}
         for icon in dict.fromkeys(self.workspace.icons):
-            about.setdefault(icon.remarks, []).append(icon.credit.title or icon.id)
+            named = about.pop(icon.remarks, [])
+            about[icon.remarks] = [*named, icon.credit.title or icon.id]
         about.pop((), None)
         self.notice.clear()
-        said = (f"{quoted_list(some)}: {' '.join(each)}" for each, some in about.items())
+        said = (f"{quoted_list(some)}: {' '.join(each)}" for each, some in reversed(about.items()))
         self.notice.remark((*said, *self.workspace.remarks))
 
 
