@@ -77,7 +77,9 @@ def _is_untouched(composite: Composite) -> bool:
 
 
 def _first(icons: Iterable[Remix]) -> Remix | None:
-    return max(icons, key=lambda one: (one.score.total, one.composite.lambda_s), default=None)
+    """Return the best, if any is good for anything."""
+    some = [one for one in icons if one.score.total > 0]
+    return max(some, key=lambda one: (one.score.total, one.composite.lambda_s), default=None)
 
 
 def _is_plausible(icon: Remix) -> bool:

@@ -80,3 +80,8 @@ def test_what_was_made_symmetric_comes_first_if_it_is_nearly_as_good():
     least = 0.9 * NEARLY**0.5  # what is plausible counts twice
     assert recommended([best, judged(even, least + 0.01)]) == Recommended("light", 0.1)
     assert recommended([best, judged(even, least - 0.01)]) == Recommended("light", 0.05)
+
+
+def test_what_is_good_for_nothing_is_not_recommended():
+    icons = [judged(made(quarters(), value), 0.9, likeness=0.0) for value in (0.05, 0.1)]
+    assert recommended(icons) == Recommended("light", None)

@@ -48,6 +48,7 @@ from iconstudio.model import (
 )
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render, draw_whole
+from iconstudio.workflows.editing.additions import INSIDE, judged, with_missed
 from iconstudio.workflows.editing.emptying import Emptied, begin_emptying
 from iconstudio.workflows.events import Event, Remark
 from iconstudio.workflows.grid import GridSettings, GridTask, Matches, focused, remix_styles
@@ -60,11 +61,6 @@ OFF_CANVAS = Placement(dx=4 * CANVAS)
 """Where an icon shows nothing."""
 _ENCLOSED = 0.98
 """So much of an added area lies inside the icon's outline at least where it adds nothing to it."""
-_INSIDE = (
-    "Added area {} lies inside the icon's outline, which it leaves as it is: only if parts of "
-    "other icons happen to show something there, results do. Draw a hole or lines for what is to "
-    "be seen inside."
-)
 _UNMET = (
     "None of the recommended results shows all that you drew inside the outline, {:.0%} at most: "
     "other icons have little of it there, and where they have not, the icon stays as it is. Draw "
@@ -118,6 +114,11 @@ class PlacedEdit:
             for number, area in enumerate(areas, start=1)
             if area.any() and whole[area].mean() > _ENCLOSED
         )
+
+    @property
+    def wanted(self) -> Bitmap:
+        """(m, m): what is to be filled that the icon alone does not fill."""
+        return self.silhouette & ~solid(self.keeps)
 
     @property
     def kept(self) -> NDArray[np.float32]:
@@ -247,7 +248,7 @@ def run(
     icon = resources.exemplar(edit.icon)
     change = place_edited(edit, icon, resources.workers, resources.render)
     for number in change.enclosed:
-        yield Remark(_INSIDE.format(number))
+        yield Remark(INSIDE.format(number))
     settings = settings or GridSettings(styles=own_styles(icon))
     settings.chosen_styles()
     matcher = yield from resources.prepare(edit.keyword, edit.exclude, settings.scales)
@@ -286,7 +287,8 @@ def edit_icon(
 
     def finish(icon: Remix) -> Remix:
         drawn = answer(own, f"Drawing “{edit.icon.name}”")
-        return replace(icon, unchanged=change.unchanged(icon.drawing, drawn))
+        icon = replace(icon, unchanged=change.unchanged(icon.drawing, drawn))
+        return judged(icon, change.wanted)
 
     task = GridTask(
         field=tsdf(change.silhouette),
@@ -300,8 +302,9 @@ def edit_icon(
         include=edit.include,
         without=lookalikes(change.icon, matcher),
     )
+    events = remix_styles(task, matcher, settings, workers, render, earlier, plausibility)
     try:
-        yield from remix_styles(task, matcher, settings, workers, render, earlier, plausibility)
+        yield from with_missed(events, change.wanted)
     finally:
         own.cancel()
 

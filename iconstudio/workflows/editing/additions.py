@@ -1,0 +1,52 @@
+"""Whether results show what was added to an icon, and what is said if they do not."""
+
+from collections.abc import Generator
+from contextlib import closing
+from dataclasses import replace
+
+from iconstudio.algorithms.iconification.overhang import seen
+from iconstudio.algorithms.raster import Bitmap, solid
+from iconstudio.model import Remix
+from iconstudio.workflows.events import Event, Remark, Result
+
+INSIDE = (
+    "Added area {} lies inside the icon's outline and adds nothing to it: what results show there, "
+    "parts of other icons happen to have. Draw a hole or lines for what is to be seen inside."
+)
+_MISSED = (
+    "No result shows much of what you added, {:.0%} at most: other icons have little like it "
+    "there. Draw it larger or elsewhere, or try another keyword or style."
+)
+_LEAST = 0.1
+"""A result that shows less of what was added does not fit the change at all."""
+_MUCH = 0.5
+
+
+def judged(icon: Remix, wanted: Bitmap) -> Remix:
+    """Return a result; if it shows hardly any of what was added, it does not fit the change.
+
+    ``wanted`` (m, m) is what is to be filled that the icon alone does not fill.
+    """
+    if shown(icon, wanted) >= _LEAST:
+        return icon
+    return replace(icon, score=replace(icon.score, likeness=0.0))
+
+
+def shown(icon: Remix, wanted: Bitmap) -> float:
+    """Return what part of the wanted area (m, m) a result fills; 1 if nothing is wanted."""
+    drawing = icon.drawing
+    area = seen(wanted, drawing.frame, len(drawing.coverage), False)
+    return float(solid(drawing.coverage > 127)[area].mean()) if area.any() else 1.0
+
+
+def with_missed(events: Generator[Event], wanted: Bitmap) -> Generator[Event]:
+    """Pass events on; say at the end if no result shows much of what was added."""
+    best: float | None = None
+    with closing(events):
+        for event in events:
+            yield event
+            match event:
+                case Result(icon=Remix() as icon, preview=False):
+                    best = max(best or 0.0, shown(icon, wanted))
+    if best is not None and best < _MUCH:
+        yield Remark(_MISSED.format(best))
