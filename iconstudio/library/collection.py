@@ -20,7 +20,7 @@ from iconstudio.library.iconify import document
 from iconstudio.library.lookup import Lookup
 from iconstudio.library.phrases import Answer
 from iconstudio.library.words import query, symbols
-from iconstudio.library.words.decency import is_insult
+from iconstudio.library.words.decency import is_insult, is_rude
 from iconstudio.library.words.naming import is_negated, take_apart
 from iconstudio.library.words.nearness import nearest
 from iconstudio.library.words.query import Style
@@ -229,6 +229,8 @@ class Collection:
             answer = replace(answer, left_out=tuple(w for w in answer.left_out if w not in numbers))
         name, count = _name(keyword), len(answer.scores)
         wider = self._lookup.wider(name, 0 if answer.left_out else count)
+        if answer and symbols.is_flag(keyword.strip()):
+            return messages.FLAGS
         return messages.remark(answer, self._lookup.spelling(name), wider)
 
     @_mended
@@ -261,19 +263,16 @@ class Collection:
         return tuple(icon for part in parts for icon in self._pictograms(part))
 
     def _near(self, identifier: str) -> tuple[str, ...]:
-        """Return identifiers near to ``identifier``: of that name, or else spelt alike.
-
-        Of the same set first, then of other sets.
-        """
+        """Return identifiers of that name, those of the same set first, or else spelt alike."""
         prefix, _, name = identifier.rpartition(":")
-        if is_insult(query.plain(name)):
+        if is_rude(query.plain(name)):
             return ()
         scores = self._lookup.scores(name)
         own = self._rows("SELECT number, id FROM icon WHERE id GLOB ?", (_glob(prefix) + ":*",))
         in_set = {number: scores[number] for number, _ in own if number in scores}
         named = [*self._choose(in_set, 2), *self._choose(scores, 4)]
         if not named:
-            return nearest(identifier, [row[1] for row in own])
+            return tuple(f"{prefix}:{one}" for one in nearest(name, [_name(row[1]) for row in own]))
         return tuple(dict.fromkeys(one.id for one in self._pictograms(named)))[:4]
 
     @_mended

@@ -6,7 +6,7 @@ from dataclasses import replace
 from iconstudio.library.phrases import Answer, Phrases, at_least
 from iconstudio.library.terms import FEW, Rows, Scores, Terms
 from iconstudio.library.words import query, symbols
-from iconstudio.library.words.decency import is_insult, is_unkind
+from iconstudio.library.words.decency import MEANT, is_insult, is_rude, is_unkind
 from iconstudio.library.words.inflections import qualities
 from iconstudio.library.words.naming import is_negated
 from iconstudio.library.words.nearness import nearest
@@ -44,6 +44,9 @@ class Lookup:
             return replace(answer, looked_up=_MOST) if cut else answer
         if symbols.has_symbols(keyword):
             return self._named_by(keyword.strip(), words)
+        core = " ".join(query.without_style(words))
+        if meant := next((MEANT[form] for form in query.forms(core) if form in MEANT), ""):
+            return Answer(self.plainly(meant), read_as=((core, meant),))
         if (answer := self._phrases.answer(words)) or is_insult(" ".join(words)):
             return answer
         symbol = symbols.called(" ".join(words))
@@ -94,7 +97,8 @@ class Lookup:
 
     def beside(self, keyword: str) -> tuple[str, ...]:
         """Return words for things of the same kind as one that nothing answers."""
-        return self._terms.beside(query.plain(keyword))
+        words = query.plain(keyword)
+        return () if is_rude(words) else self._terms.beside(words)
 
     def suggestions(self, keyword: str) -> tuple[str, ...]:
         """Return words near to a keyword in spelling, unless that is no misspelling.
@@ -102,7 +106,7 @@ class Lookup:
         First comes the quality that it is the noun of: of *sadness*, *sad*.
         """
         words = query.plain(keyword)
-        if is_insult(words) or words in BRANDS:
+        if is_rude(words) or words in BRANDS:
             return ()
         near = nearest(words, self._terms.proposals())
         kind = (one for one in near if not is_unkind(keyword.strip(), one))

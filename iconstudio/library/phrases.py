@@ -84,11 +84,20 @@ class Phrases:
         return self._best(one.near(self._fewer(one.words)) for one in surely)
 
     def _taken_for(self, words: Words, found: Scores) -> tuple[tuple[str, str], ...]:
-        """Return words that only icons of something broader answer, with that."""
-        typed = " ".join(words)
-        if min(found.values()) < BROADER or self._terms.named(typed):
+        """Return words that few of the best icons are called by, with what the others are."""
+        typed, best = " ".join(words), min(found.values())
+        first = {icon for icon, score in found.items() if score == best}
+        formal = query.spelt_out(words)
+        if formal != words and first.isdisjoint(self._together(words)):
+            return ((typed, " ".join(formal)),)
+        own = self._terms.named(typed)
+        if 2 * len(first & own) >= len(first):
             return ()
-        return tuple((typed, term) for term in self._terms.broader(typed)[:1])
+        if best >= BROADER and not own:
+            return tuple((typed, term) for term in self._terms.broader(typed)[:1])
+        same = self._terms.same(typed)
+        name = max(same, key=lambda term: len(first & self._terms.named(term)), default="")
+        return ((typed, name),) if first & self._terms.named(name) else ()
 
     def read_as(self, words: Words) -> tuple[tuple[str, str], ...]:
         """Return those of several words that are surely misspelt, each with the right one."""

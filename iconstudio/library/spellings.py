@@ -5,7 +5,7 @@ from itertools import chain, islice, product
 
 from iconstudio.library.terms import Terms
 from iconstudio.library.words import query, symbols
-from iconstudio.library.words.decency import is_unkind
+from iconstudio.library.words.decency import is_rude, is_unkind
 from iconstudio.library.words.inflections import verbs
 from iconstudio.library.words.nearness import is_surely, nearest
 from iconstudio.library.words.regional import other_spellings
@@ -83,6 +83,8 @@ class Spellings:
     def _is_misspelt(self, word: str) -> bool:
         """Whether no icon has a word in its name, nor leads it to any, or few do by mistake."""
         if len(word) < _MISSPELT or not word.isalpha() or word in FAMILIAR or word in INFORMAL:
+            return False
+        if is_rude(word):
             return False
         if self._terms.spelling(word):
             return True

@@ -13,7 +13,7 @@ from iconstudio.library.words.inflections import is_irregular, singulars
 from iconstudio.library.words.logos import LOGOS
 from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.readings import COMPOUND, EXACT, MENTION, POSED
-from iconstudio.library.words.relations import BESIDE, BROADER, BROADEST, FORM, KIND, SPELLING
+from iconstudio.library.words.relations import BESIDE, BROADER, BROADEST, FORM, KIND, SAME, SPELLING
 from iconstudio.library.words.usage import OTHER_IN_PLURAL
 from iconstudio.library.words.vocabulary import ATTRIBUTES
 
@@ -182,6 +182,11 @@ class Terms:
             if found := self._rows(sql, (form,)):
                 return tuple(row[0] for row in found)
         return ()
+
+    def same(self, words: str) -> tuple[str, ...]:
+        """Return other words for the thing of the words."""
+        sql = f"SELECT term FROM relation WHERE word = ? AND rank = {SAME} ORDER BY term"
+        return tuple(row[0] for form in query.forms(words) for row in self._rows(sql, (form,)))
 
     def broader(self, words: str) -> tuple[str, ...]:
         """Return what the thing of the words is a kind of, the nearest first."""

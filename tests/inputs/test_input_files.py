@@ -177,6 +177,16 @@ def test_icons_beside_the_canvas_are_told(path):
     assert starts == ["Layer 2, “mdi:b”,", "Layer 3, “mdi:c”,"]
 
 
+def test_layers_that_nothing_is_kept_of_are_told(path):
+    drawn = {"icon": "mdi:a", "strokes": [{"width": 12, "points": [[30, 40], [50, 60]]}]}
+    (told,) = read_montage(saved(path, {"layers": [drawn, {"icon": "mdi:b"}]})).remarks
+    assert told.startswith("Layer 2, “mdi:b”, has no strokes")
+    beside = {"icon": "mdi:b", "dx": 5000}
+    (told,) = read_montage(saved(path, {"layers": [drawn, beside]})).remarks
+    assert "lies outside the canvas" in told
+    assert read_montage(saved(path, {"layers": [drawn]})).remarks == ()
+
+
 def test_what_may_be_left_out(path):
     edit = read_edit(saved(path, {"icon": "mdi:dog", "add": [SQUARE]}))
     assert edit == EditFile(icon="mdi:dog", add=(tuple(map(tuple, SQUARE)),))

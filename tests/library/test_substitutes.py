@@ -14,6 +14,15 @@ def ids(collection, keyword):
         ("jalape\xf1o", "jalapeno", "chilli"),
         ("grandmother", "grandmother", "grandparent"),
         ("terrier", "terrier", "dog"),
+        ("puppy", "puppy", "dog"),
+        ("lorry", "lorry", "truck"),
+        ("lorries", "lorries", "truck"),
+        ("trainers", "trainers", "sneaker"),
+        ("aeroplane", "aeroplane", "airplane"),
+        ("doggo", "doggo", "dog"),
+        ("autumn leaves", "autumn leaves", "fallen leaf"),
+        ("happy new year", "happy new year", "fireworks"),
+        ("merry-go-round", "merry go round", "carousel"),
     ],
 )
 def test_it_is_told_what_is_shown_in_place_of_a_thing_that_has_no_icons(
@@ -23,7 +32,9 @@ def test_it_is_told_what_is_shown_in_place_of_a_thing_that_has_no_icons(
     assert bundled.remark(typed) == f"\u201c{plain}\u201d was read as \u201c{taken}\u201d."
 
 
-@pytest.mark.parametrize("typed", ["dog", "puppy", "rose", "labrador", "vehicle"])
+@pytest.mark.parametrize(
+    "typed", ["dog", "children", "rose", "labrador", "vehicle", "running", "colour"]
+)
 def test_what_has_icons_of_its_own_is_not_said_to_be_read_otherwise(bundled, typed):
     assert bundled.remark(typed) == ""
 

@@ -94,7 +94,10 @@ GOOD = two((stroke((90, 90), (90, 160)),), (stroke((170, 100), (170, 150)),))
         (Montage(GOOD.layers * 16), "has 32"),
         (two((), ()), "Nothing is marked"),
         (two((stroke((400, 400), (500, 500)),), ()), "outside the canvas"),
-        (two((stroke((90, 90), (90, 160)),), (stroke((60, 120), (150, 120)),)), "overlap"),
+        (
+            two((stroke((90, 90), (90, 160)),), (stroke((60, 120), (150, 120)),)),
+            r"overlap near \(90, 120\)",
+        ),
         (two(GOOD.layers[0].strokes, (), scale=0.0), "scaled to 0"),
         (two(GOOD.layers[0].strokes, (), scale=1e9), "scaled to 1e"),
     ],

@@ -16,19 +16,24 @@ _PRIVATE = (
 )  # fmt: skip
 """Words for what one would not show, or say aloud, unasked; their first meaning, and its kinds."""
 
-_BESIDES = frozenset(
-    {"bum", "poo", "boob", "boobs", "eskimo", "rape", "slave", "suicide", "swastika"}
+_BESIDES = word_set(
+    """
+    boob boobs bum crap damn eskimo genocide gypsy holocaust incest jackass jew lynch molest noose
+    poo pussy rape slave suicide swastika tit
+    """
 )
 """Words that hurt, or are rude, and that WordNet does not mark."""
 
 INSULTS = word_set(
     """
-    arse arsehole asshole bastard bitch blowjob bollocks bugger bullshit chink coon cretin cum cunt
-    boobs darkie darky dick dickhead dildo dumbass fag faggot fuck fucked fucker fucking gook
-    halfwit harlot honky hooker idiot imbecile jizz kike lesbo milf mongoloid moron
-    motherfucker nazi negro negress nigga nigger nutter paki pedo pedophile pervert pimp piss
-    porn porno rapist rape raper retard shemale shit shitty skank slut
-    spastic spic strumpet tits tosser tranny turd twat wank wanker wetback whore wog wop yid
+    arse arsehole asshole bastard bimbo bitch blowjob bollocks boobs bugger bullshit chink clit
+    coon cretin cum cunt darkie darky dick dickhead dildo dumbass fag faggot fuck fucked fucker
+    fucking gestapo goebbels golliwog gook halfwit harlot heil himmler hitler honky hooker
+    hooters idiot imbecile jizz kaffir kike kkk klan lesbo milf mongoloid moron
+    motherfucker nazi negress negro nigga nigger nutter paki pedo pedophile pervert pickaninny
+    pimp piss porn porno raghead rape raper rapist redskin retard sambo shemale shit
+    shitty skank slut slutty spastic spic squaw stalin strumpet thot tits titties titty
+    tosser towelhead tranny turd twat wank wanker wetback whore wog wop yid
     """
 )
 """Words that offend and name no thing to draw: nothing is shown, or proposed, in their place."""
@@ -47,10 +52,23 @@ _RUDE = ("obscenity", "ethnic slur", "disparagement")
 """Words by which WordNet marks how others are used."""
 
 
+MEANT = {"sex": "gender"}
+"""What is shown for words that name something private only together with others: *sex worker*."""
+
+
 def is_insult(words: str) -> bool:
     """Whether plain words, or one of them, only offend."""
+    return _has(words, INSULTS)
+
+
+def is_rude(words: str) -> bool:
+    """Whether plain words, or one of them, are such that nothing is proposed in their place."""
+    return _has(words, INSULTS | UNKIND | _BESIDES)
+
+
+def _has(words: str, listed: frozenset[str]) -> bool:
     return any(
-        not INSULTS.isdisjoint((word, word.removesuffix("s"), *singulars(word)))
+        not listed.isdisjoint((word, word.removesuffix("s"), *singulars(word)))
         for word in words.split()
     )
 

@@ -21,6 +21,7 @@ from iconstudio.library.words.vocabulary import (
     STYLE_GROUPS,
     STYLES,
     THIN,
+    TYPED_STYLES,
 )
 
 _LETTERS = str.maketrans(
@@ -152,7 +153,7 @@ def without_style(words: tuple[str, ...]) -> tuple[str, ...]:
     """Return words without those that say how the thing is drawn, and without numbers."""
     core = tuple(word for word in words if word not in _KINDS_OF_PICTURES) or words
     core = take_apart("-".join(core)).words
-    while len(core) > 1 and core[0] in STYLES:
+    while len(core) > 1 and (core[0] in STYLES or core[0] in TYPED_STYLES):
         core = core[1:]
     return core
 
@@ -185,7 +186,8 @@ class Style:
 def style(words: tuple[str, ...]) -> Style:
     """Return the style that words ask for beside the thing, and its numbers."""
     dropped = set(words).difference(without_style(words))
-    asked = {word for word in dropped if word in STYLES or word.isdigit()}
+    asked = {TYPED_STYLES.get(word, word) for word in dropped}
+    asked = {word for word in asked if word in STYLES or word.isdigit()}
     same: set[str] = set(asked)
     others: set[str] = set()
     for groups in STYLE_GROUPS:
@@ -232,7 +234,8 @@ def telling(words: tuple[str, ...]) -> tuple[str, ...]:
 
 def tells(word: str) -> bool:
     """Whether a word says something of the thing, and not only how it is drawn."""
-    return word not in PREPOSITIONS and word not in STYLES and word not in _KINDS_OF_PICTURES
+    only_how = STYLES.union(TYPED_STYLES, _KINDS_OF_PICTURES)
+    return word not in PREPOSITIONS and word not in only_how
 
 
 def identifiers(text: str, prefixes: frozenset[str]) -> Iterator[str]:

@@ -88,7 +88,8 @@ INFORMAL = _listed(
     bickie: biscuit, bigwheel: ferris wheel, bikkie: biscuit, bio: biology, birdie: bird,
     biz: business, bldg: building, bobsleigh: bobsled, booboo: bandage, bowwow: dog,
     bp: blood pressure, brekkie: breakfast, brekky: breakfast, btc: bitcoin, byebye: waving hand,
-    caff: cafe, calc: calculator, cam: camera, cardi: cardigan, catsup: ketchup, cclamp: clamp,
+    caff: cafe, calc: calculator, cam: camera, cardi: cardigan, carouselhorse: carousel,
+    catsup: ketchup, cclamp: clamp,
     champers: champagne, chem: chemistry, chimp: chimpanzee, chinesenewyear: firecracker,
     choc: chocolate, choccy: chocolate, choochoo: train, chook: chicken, cig: cigarette,
     ciggie: cigarette, ciggy: cigarette, claus: father christmas, cny: yuan, comp: computer,
@@ -112,7 +113,8 @@ INFORMAL = _listed(
     inr: rupee, ipad: tablet, jab: syringe, jackolantern: pumpkin, jpy: yen, k9: dog, kittycat: cat,
     lappy: laptop, lashes: eyelash, lcd: screen, loco: locomotive, lotusposition: yoga,
     lp: vinyl record, maths: math,
-    meds: medicine, mgr: manager, moggie: cat, moggy: cat, mozzie: mosquito, msg: message,
+    meds: medicine, merrygoround: carousel, mgr: manager, moggie: cat, moggy: cat,
+    mozzie: mosquito, msg: message,
     mtg: meeting, mtn: mountain, mum: mother, mushie: mushroom, nan: grandparent, nana: grandparent,
     nanna: grandparent, newyear: fireworks, newyearseve: fireworks, notif: notification,
     oj: orange juice, papa: father, phys: physics, pic: picture, piccy: picture, piggie: pig,
@@ -198,7 +200,18 @@ EVERYDAY = _listed(
     route: road, strada: road, дорога: road, طريق: road, جاده: road, jalan: road, 路: road,
     道: road, 길: road, mond: moon, lua: moon, луна: moon, قمر: moon, ماه: moon, bulan: moon,
     月亮: moon, パン: bread, bateau: ship, aereo: plane, wasser: water, agua: water, acqua: water,
-    вода: water, آب: water, livre: book, lune: moon, mano: hand, كرة القدم: soccer, eau: water
+    вода: water, آب: water, livre: book, lune: moon, mano: hand, كرة القدم: soccer, eau: water,
+    ねこ: cat, いぬ: dog, 小犬: dog, こいぬ: dog, 강아지: dog, とり: bird, さかな: fish,
+    くるま: car, いえ: house, はな: flower, みず: water, つき: moon, ほし: star,
+    やま: mountain, うみ: sea, 바다: sea, ほん: book, くつ: shoe, 신발: shoe,
+    かさ: umbrella, とけい: clock, でんわ: telephone, 전화: telephone, じてんしゃ: bicycle,
+    でんしゃ: train, ひこうき: airplane, ふね: ship, うま: horse, うし: cow, ぶた: pig,
+    くま: bear, 곰: bear, さる: monkey, 아이: child, 커피: coffee, コーヒー: coffee,
+    テーブル: table, ぞう: elephant, らいおん: lion, ライオン: lion, 사자: lion, とら: tiger,
+    むし: insect, くも: cloud, ゆき: snow, 비: rain, あめ: rain, たいよう: sun, かぎ: key,
+    えんぴつ: pencil, たまご: egg, おちゃ: tea, 개구리: frog, かえる: frog, へび: snake,
+    かめ: turtle, ケーキ: cake, 케이크: cake, トラック: truck, 트럭: truck, ロボット: robot,
+    로봇: robot, 手紙: letter, てがみ: letter, 편지: letter
     """
 )
 """Words of other languages, without accents, that no emoji is called by, or something else."""

@@ -16,6 +16,9 @@ STYLES = words(
 )
 """Words that name how a drawing is drawn, not what it shows."""
 
+TYPED_STYLES = {"dark": "solid"}
+"""What is typed for a style, but says of a drawing, in its name, that it is of the night."""
+
 STYLE_GROUPS = tuple(
     tuple(words(group) for group in groups.split(","))
     for groups in (

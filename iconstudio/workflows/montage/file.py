@@ -98,13 +98,21 @@ class MontageFile(File[Montage], frozen=True):
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Which icons lie where they cannot be seen."""
-        beside = {n: one.icon for n, one in enumerate(self.layers, 1) if not one.meets_canvas}
-        return tuple(
-            f"Layer {number}, “{icon}”, lies outside the canvas, 0 to {CANVAS}: nothing of it can "
-            'be kept. Give a smaller "dx" or "dy".'
-            for number, icon in beside.items()
-        )
+        """Which icons lie where they cannot be seen, or have nothing marked though others have."""
+        some_marked = any(one.strokes for one in self.layers)
+        told = []
+        for number, one in enumerate(self.layers, 1):
+            if not one.meets_canvas:
+                told.append(
+                    f"Layer {number}, “{one.icon}”, lies outside the canvas, 0 to {CANVAS}: "
+                    'nothing of it can be kept. Give a smaller "dx" or "dy".'
+                )
+            elif some_marked and not one.strokes:
+                told.append(
+                    f"Layer {number}, “{one.icon}”, has no strokes: nothing of it is marked. "
+                    'Give "strokes" over the part to keep.'
+                )
+        return tuple(told)
 
     def resolved(self, find: Find) -> Montage:
         """Return the montage, its icons found by ``find``."""

@@ -191,9 +191,13 @@ def check(montage: Montage, side: int = CANVAS) -> NDArray[np.bool_]:
     if not scribbles.any():
         raise IconstudioError("Nothing is marked. Scribble over the parts of the icons to keep.")
     for first, second in combinations(range(len(layers)), 2):
-        if (scribbles[first] & scribbles[second]).any():
+        if (both := scribbles[first] & scribbles[second]).any():
+            places = np.argwhere(both)
+            middle = np.abs(places - places.mean(axis=0)).sum(axis=1).argmin()
+            y, x = (round(float(value + 0.5) * CANVAS / side) for value in places[middle])
             raise IconstudioError(
                 f"The strokes over “{layers[first].icon.name}” and “{layers[second].icon.name}” "
-                "overlap. A pixel can be kept from one icon only: shorten one of the strokes."
+                f"overlap near ({x}, {y}). A pixel can be kept from one icon only: "
+                "shorten one of the strokes."
             )
     return scribbles
