@@ -59,7 +59,7 @@ def finished(steps):
 
 
 def test_a_keyword_is_made_ready_once(session):
-    events, matcher = prepared(session, "otter")
+    events, matcher = prepared(session, "hedgehog")  # of which no other test asks
     (retrieved,) = (event for event in events if isinstance(event, Retrieved))
     exemplars = tuple(one.exemplar for one in matcher.exemplars)
     assert retrieved.exemplars == exemplars
@@ -68,7 +68,7 @@ def test_a_keyword_is_made_ready_once(session):
     after = events[events.index(retrieved) + 1 :]
     assert [event.done for event in after if isinstance(event, Progress)][-1] == 1
     assert len(after) == len(exemplars)
-    again, same = prepared(session, " Otter")
+    again, same = prepared(session, " Hedgehog")
     assert same is matcher
     assert [type(event) for event in again] == [Retrieved]
 
