@@ -19,6 +19,8 @@ _SHORTEST = 100
 _LIGHT, _CLEAN, _GRAINY = 0.5, 0.85, 0.97
 """How bright paper is where it is lit best, at least; and how bright where least, as part of that,
 at most: without grain, and with."""
+_SHADOW = 0.6
+"""The same of paper in the shadow, at most; the colours of what is drawn there cannot be told."""
 _GRAIN = 0.4
 """By how many of 255 levels paper with grain strays from its light, in the median, at least; what
 is painted by degrees strays by less, as it is rounded to whole levels."""
@@ -75,7 +77,8 @@ def uneven_light(picture: NDArray[np.float32]) -> UnevenLight | None:
     slim = depth < _SLIM * max(ink.shape)
     if _grain(picture - ground, ink) < _GRAIN:
         return UnevenLight(ground, True) if slim and least <= _CLEAN * most else None
-    return UnevenLight(ground, slim or _is_of_one_colour(off, ink))
+    one_pen = slim or _is_of_one_colour(off, ink)
+    return UnevenLight(ground, one_pen) if one_pen or least > _SHADOW * most else None
 
 
 def _grain(stray: NDArray[np.float32], ink: NDArray[np.bool_]) -> float:
