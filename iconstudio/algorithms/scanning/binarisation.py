@@ -46,7 +46,7 @@ from iconstudio.algorithms.scanning.resampling import (
 )
 from iconstudio.algorithms.scanning.shadow import without_shadow
 from iconstudio.algorithms.scanning.sheet import photographed_sheet
-from iconstudio.algorithms.scanning.uneven import is_unevenly_lit
+from iconstudio.algorithms.scanning.uneven import uneven_light
 from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.tone import Inked, pictogram
 from iconstudio.model import IconstudioError
@@ -201,8 +201,11 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
             return replace(found, omissions=found.omissions | {Omission.PRINT})
         small = shrunk(pixels, _step(pixels))
         sheet = photographed_sheet(small)
-        if sheet is not None or is_unevenly_lit(small):
+        light = None if sheet is not None else uneven_light(small)
+        if sheet is not None or (light is not None and light.one_pen):
             return scanned(pixels, inverted, sheet)
+        if light is not None:
+            pixels = light.divided_out(pixels)
     picture = without_checkerboard(without_half_lines(pixels))
     pixels = without_noise(picture)
     left_out: frozenset[Omission] = frozenset()
