@@ -61,7 +61,11 @@ def test_hybrids_say_so(files, capfd):
 
 def test_a_montage_says_so_once(files, capfd):
     stroke = {"width": 90, "points": [[60, 60], [200, 200]]}
-    layers = [{"icon": "marked.svg", "strokes": [stroke]}, {"icon": "marked.svg", "scale": 0.5}]
+    other = {"width": 10, "points": [[170, 70], [190, 70]]}
+    layers = [
+        {"icon": "marked.svg", "strokes": [stroke]},
+        {"icon": "marked.svg", "scale": 0.5, "strokes": [other]},
+    ]
     assert run(["montage", *written(files, {"layers": layers})], None) == 0
     assert said(capfd) == [LINE]
 
