@@ -239,7 +239,7 @@ def _is_thin(coverage: NDArray[np.uint8]) -> bool:
         return True
     # Where squares fit into it, nothing needs to be measured.
     side = 2 * int(_THIN / 2 * len(ink) / CANVAS) + 3
-    if minimum_filter(ink.view(np.uint8), side).sum() > 0.06 * ink.sum():
+    if minimum_filter(ink, side).sum() > 0.06 * ink.sum():
         return False
     depths = scipy.ndimage.distance_transform_edt(ink)[ink]
     return float(2 * np.quantile(depths, 0.95)) * CANVAS / len(coverage) < _THIN

@@ -178,14 +178,17 @@ def check_inner(inner: Inner, outline: Bitmap) -> None:
     ):
         for number, points in enumerate(shapes, start=1):
             outside = _outside(points, away)
+            all_of_it = (
+                name == "Hole" and not (outline & ~fill_polygon(Polygon(points), side)).any()
+            )
             if outside.any():
                 where = "lies outside" if outside.all() else "crosses"
-                if name == "Hole" and not (outline & ~fill_polygon(Polygon(points), side)).any():
+                if all_of_it:
                     where = "covers"
                 raise IconstudioError(
                     f"{name} {number} {where} the outline. Move it inside, or remove it."
                 )
-            if name == "Hole" and not (outline & ~fill_polygon(Polygon(points), side)).any():
+            if all_of_it:
                 raise IconstudioError(
                     f"Hole {number} leaves nothing of the outline. Draw it smaller, or remove it."
                 )

@@ -69,7 +69,7 @@ def continued(labels: Labels, ink: NDArray[np.bool_]) -> Labels:
         pieces, _ = scipy.ndimage.label(ink[owner] & (outside | begun), np.ones((3, 3)))
         whole = np.isin(pieces, np.unique(pieces[begun]))
         others = spread(ink[owner] & outside & ~whole)
-        near = maximum_filter(whole.view(np.uint8), 2 * clear + 1) > 0
+        near = maximum_filter(whole, 2 * clear + 1)
         wide[outside & near & ~others & ((wide == count) | (nearest == owner))] = owner
     return wide
 

@@ -99,8 +99,7 @@ class Gallery:
 
 def _widened(ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
     around = 2 * (SAME * len(ink) // CANVAS) + 1
-    wide: NDArray[np.bool_] = maximum_filter(ink.view(np.uint8), around).view(bool)
-    return wide
+    return maximum_filter(ink, around)
 
 
 def _repeats(

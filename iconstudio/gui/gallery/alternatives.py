@@ -39,6 +39,7 @@ class AlternativesPopup(QFrame):
     def __init__(self, owner: QWidget) -> None:
         super().__init__(owner, Qt.WindowType.Popup)
         self.setProperty("card", True)
+        self._numbers: list[int] = []
         self._title = with_role(ElidedLabel(""), "heading")
         self.unpin = hidden(push_button("Unpin", "Let the program choose for this place again"))
         self.sheet = Sheet(framed(_SIDE), _described, "Alternatives for this part")

@@ -284,11 +284,12 @@ def edit_icon(
     posed = change if settings.side == CANVAS else change.at(settings.side)
     before = Source(change.icon, change.base.placement)  # what results are compared with
     own = draw_whole(before, change.ink, workers, render)
+    wanted = change.wanted
 
     def finish(icon: Remix) -> Remix:
         drawn = answer(own, f"Drawing “{edit.icon.name}”")
         icon = replace(icon, unchanged=change.unchanged(icon.drawing, drawn))
-        return judged(icon, change.wanted)
+        return judged(icon, wanted)
 
     task = GridTask(
         field=tsdf(change.silhouette),
@@ -304,7 +305,7 @@ def edit_icon(
     )
     events = remix_styles(task, matcher, settings, workers, render, earlier, plausibility)
     try:
-        yield from with_missed(events, change.wanted)
+        yield from with_missed(events, wanted)
     finally:
         own.cancel()
 
