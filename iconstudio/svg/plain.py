@@ -15,7 +15,7 @@ from iconstudio.svg.bounds import bounds
 from iconstudio.svg.check import MAX_DEPTH, check
 from iconstudio.svg.clipping import clip
 from iconstudio.svg.embedding import embed
-from iconstudio.svg.filters import leave_out_distortions
+from iconstudio.svg.filters import bound_octaves, leave_out_distortions
 from iconstudio.svg.geometry import SHAPES
 from iconstudio.svg.lengths import IDENTITY, Box, Matrix, numbers, pixels, written
 from iconstudio.svg.lettering import TEXTS, set_type
@@ -135,6 +135,7 @@ def plain(
         remarks += without
         kept = references.drawn(root, ids)
     remarks += leave_out_distortions(kept)
+    bound_octaves(kept)
     remarks += cut_off_mistakes(kept)
     bitmaps = tuple(one.get("href", "") for one in kept if one.tag == "image")
     remarks += _without_unknown(root, kept)
