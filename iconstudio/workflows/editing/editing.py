@@ -131,8 +131,8 @@ class PlacedEdit:
         penalty = edit_penalty(self.mask, self.kept, len(data))
         for number, source in enumerate(sources):
             if source.placement == OFF_CANVAS:
-                # Within the outline, nothing fits what is removed as well as the icon did.
-                within = self.left & self.silhouette
+                # Within the outline, nothing fits what only goes as well as the icon did.
+                within = self.left & self.silhouette & ~self.added
                 penalty[number, within] = np.minimum(data[0] - data[number], 0)[within]
         return penalty
 
