@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from iconstudio.algorithms.iconification.matching import Matcher, prepare
-from iconstudio.model import CANVAS, Edit, IconstudioError, Inner, Polygon
+from iconstudio.model import CANVAS, Axis, Edit, IconstudioError, Inner, Polygon
 from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.editing.editing import (
     SAME,
@@ -239,6 +239,12 @@ def test_styles_are_those_of_the_icon():
     assert own_styles(ICON) == ("dark",)
     half = exemplar(box(16, 100, 240, 200) & (XS % 20 < 10), "stripes")
     assert own_styles(half) == ("light", "medium")
+
+
+def test_under_symmetry_what_mirrors_a_mark_is_free_to_change_with_it():
+    edit = replace(EDIT, symmetry=Axis.HORIZONTAL)
+    assert not place_edit(edit, ICON).unmarked.paper[70, 256 - 100 : 256 - 70].any()
+    assert place_edit(EDIT, ICON).unmarked.paper[70, 256 - 100 : 256 - 70].all()
 
 
 FRAME = box(40, 60, 216, 216) & ~box(56, 76, 200, 200)

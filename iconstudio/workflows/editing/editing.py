@@ -27,6 +27,7 @@ from iconstudio.algorithms.iconification.overhang import seen
 from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.saliency import saliency, salient_regions
 from iconstudio.algorithms.iconification.style import STYLES, Style, blackness
+from iconstudio.algorithms.iconification.symmetry import reflected
 from iconstudio.algorithms.iconification.taking_off import meant, taken_off
 from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import Bitmap, outlines, overlap, placed_ink, solid
@@ -203,7 +204,11 @@ def place_edit(
         holes = [one for one in edit.inner.holes if one not in emptied.areas]
         drawn = _union(holes, placement, side) | lines
     own, _ = placed_ink(base.exemplar, placement, side)
-    unmarked = kept(own, gone & (left | ~removed), added, drawn, silhouette)
+    going, coming = gone & (left | ~removed), added
+    if edit.symmetry is not None:  # pixels that mirror each other change together
+        every = going, coming, drawn
+        going, coming, drawn = (one | reflected(one, edit.symmetry) for one in every)
+    unmarked = kept(own, going, coming, drawn, silhouette)
     return PlacedEdit(
         edit,
         icon,
