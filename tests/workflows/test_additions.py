@@ -31,6 +31,14 @@ def test_what_shows_nothing_that_was_added_does_not_fit_the_change():
     assert judged(ICON, AWAY).score.total == 0
 
 
+def test_what_shows_little_of_what_was_added_fits_the_change_less():
+    fits = [
+        judged(ICON, AWAY | WITHIN & (np.arange(CANVAS) < end)).score.likeness
+        for end in (124, 128, 140)
+    ]
+    assert 0 < fits[0] < fits[1] < fits[2] == ICON.score.likeness
+
+
 def test_it_is_said_if_no_result_shows_what_was_added():
     (sentence,) = said(AWAY)
     assert "0% at most" in sentence

@@ -17,19 +17,21 @@ _MISSED = (
     "No result shows much of what you added, {:.0%} at most: other icons have little like it "
     "there. Draw it larger or elsewhere, or try another keyword or style."
 )
-_LEAST = 0.1
-"""A result that shows less of what was added does not fit the change at all."""
-_MUCH = 0.5
+_LEAST, _MUCH = 0.1, 0.5
+"""A result that shows less of what was added does not fit the change at all; one that shows so
+much shows it."""
 
 
 def judged(icon: Remix, wanted: Bitmap) -> Remix:
-    """Return a result; if it shows hardly any of what was added, it does not fit the change.
+    """Return a result, which fits the change the less, the less it shows of what was added.
 
     ``wanted`` (m, m) is what is to be filled that the icon alone does not fill.
     """
-    if shown(icon, wanted) >= _LEAST:
+    part = shown(icon, wanted)
+    if part >= _MUCH:
         return icon
-    return replace(icon, score=replace(icon.score, likeness=0.0))
+    fit = part / _MUCH if part >= _LEAST else 0.0
+    return replace(icon, score=replace(icon.score, likeness=icon.score.likeness * fit))
 
 
 def shown(icon: Remix, wanted: Bitmap) -> float:
