@@ -37,6 +37,18 @@ def shape(pixels: np.ndarray) -> np.ndarray:
     return scans.fitted(ink_of(recognised(pixels)).astype(float))
 
 
+@pytest.mark.parametrize("colour", [(0, 0, 0), (200, 30, 30)])
+@pytest.mark.parametrize("blur", [1, 2, 3])
+def test_a_blurred_drawing_is_not_its_own_shadow(colour, blur):
+    solid = np.kron(heart(), np.ones((4, 4)))
+    ring = solid * (ndimage.distance_transform_edt(solid) < 24)
+    soft = ndimage.gaussian_filter(ring, blur)[..., None]
+    found = recognised((255 + soft * (np.array(colour) - 255)).astype(np.uint8))
+    told = found.omissions | (found.coloured.omissions if found.coloured else set())
+    assert Omission.SHADOW not in told
+    assert scans.iou(scans.fitted(ink_of(found).astype(float)), scans.fitted(ring)) > 0.95
+
+
 @pytest.mark.parametrize("quality", [0, 75])
 @pytest.mark.parametrize("ground", [(255, 255, 255), (204, 221, 238)])
 @pytest.mark.parametrize("cast", ["soft", "hard"])

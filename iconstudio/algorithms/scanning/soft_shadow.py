@@ -34,6 +34,9 @@ _FADED = 0.5
 """How dark it is where it meets the ground at most, as part of how dark it is elsewhere."""
 _DEEPEST, _AMISS = 0.65, 0.1
 """How dark a shadow is at most; how much darker or brighter than is told of it."""
+_SHARP, _BROAD = 0.55, 9
+"""How much of what the contour of a drawing differs by within so many pixels it does within three:
+that of one that is blurred itself does by less."""
 _FAR = 0.3
 """How far a shadow is shifted at most, as part of the longer side."""
 _DENSE = 0.12, 1.0
@@ -79,7 +82,7 @@ def soft_shadow(
         best = cast, outside
         if cast.told > _SURE:
             break
-    if best is None:
+    if best is None or not _is_sharp(levels, ~best[1]):
         return None
     cast, outside = best
     # One sees it through holes, too.
@@ -95,6 +98,13 @@ def soft_shadow(
     specks = (np.bincount(pieces.ravel()) <= _SPECK)[pieces] & (cast.darkness > _SEEN)
     found: Mask = shadow | specks
     return found
+
+
+def _is_sharp(levels: NDArray[np.float32], drawn: Mask) -> bool:
+    """Whether a drawing has a sharp contour."""
+    contour = drawn & ~scipy.ndimage.binary_erosion(drawn, np.ones((3, 3)), border_value=1)
+    within, across = (unevenness(levels, size)[contour] for size in (3, _BROAD))
+    return bool(contour.any() and np.median(within / np.maximum(across, 1)) > _SHARP)
 
 
 def _ways(levels: NDArray[np.float32], dark: Mask, depth: NDArray[np.float32]) -> Iterator[Mask]:
