@@ -109,7 +109,8 @@ def lit_by_a_lamp(sheet, random):
 def in_a_deep_shadow(sheet, random):
     y, x = np.mgrid[: sheet.shape[0], : sheet.shape[1]]
     shadow = 1 - 0.65 / (1 + np.exp(-(x + 0.3 * y - 0.6 * sheet.shape[1]) / 20))
-    return _pixels(_grey((1 - 0.8 * sheet) * shadow))
+    light = _grey((1 - 0.8 * sheet) * shadow)
+    return _pixels(light + random.normal(0, 0.01, light.shape))  # a camera's; without, it is painted
 
 
 def on_an_even_desk(sheet, random):
