@@ -10,7 +10,7 @@ from iconstudio.files import is_address
 from iconstudio.images import scans
 from iconstudio.images.photo import photo_from, photo_of
 from iconstudio.images.reading import Image, awaited, is_image_file, read_image
-from iconstudio.model import IconstudioError, Pictogram, Separation
+from iconstudio.model import BitmapError, IconstudioError, Pictogram, Separation
 from iconstudio.svg.reading import file_and_symbol, own_artwork, own_svg, read_file
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.events import Event, staged
@@ -20,6 +20,7 @@ SECONDS, MEMORY = 20.0, 1 << 30
 """How many seconds of a processor reading a file may take, and how many bytes."""
 SIMPLER = "Simplify the drawing, or save it as a PNG and open that."
 """What to do about a drawing that reaches the limits."""
+_BITMAP = "All that it shows is a bitmap, which was traced."
 _SHOWN = 200
 """Most characters of a reference that a message repeats."""
 
@@ -62,7 +63,11 @@ class FileReader:
         """
         task = own_svg, data, name, symbol
         reading = self._readers.submit(*task, timeout=SECONDS, memory=MEMORY)
-        return answer(reading, f"Reading “{name}”", SIMPLER)
+        try:
+            return answer(reading, f"Reading “{name}”", SIMPLER)
+        except BitmapError as error:
+            bitmap = scans.read_bitmap(error.bitmap, name, self._readers, _BITMAP)
+            return returned(bitmap)
 
     def image(self, source: Path | bytes) -> Generator[None, None, Image]:
         """Return the image in a file, or in bytes; yield now and then, where it can be closed.
@@ -92,7 +97,12 @@ class FileReader:
         task = own_artwork, read_file(Path(name)), name, symbol
         reading = self._readers.submit(*task, timeout=SECONDS, memory=MEMORY)
         waiting = _started(awaited(reading, f"Reading “{name}”", SIMPLER))
-        pixels, pictogram = yield from staged("prepare", "Reading the drawing", waiting)
+        try:
+            pixels, pictogram = yield from staged("prepare", "Reading the drawing", waiting)
+        except BitmapError as error:
+            steps = _started(self.image(error.bitmap))
+            image = yield from staged("prepare", "Reading the image", steps)
+            return Separation(photo_of(image, str(path)))
         image = Image(pixels, pixels.shape[1], pixels.shape[0])
         return Separation(photo_of(image, str(path)), credits=(pictogram,))
 

@@ -10,8 +10,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from iconstudio.building.logos import LOGOS
 from iconstudio.library.iconify import IconSet, RawIcon, read_set
-from iconstudio.library.words.logos import LOGOS
 from iconstudio.library.words.naming import Name, is_negated, take_apart
 from iconstudio.library.words.vocabulary import words
 from iconstudio.library.words.wordnet import WordNet

@@ -107,23 +107,38 @@ def trace(
 
 
 def read_scan(path: Path, workers: Workers) -> Generator[None, None, Pictogram]:
-    """Return the icon in a file of an image; yield now and then.
+    """Return the icon in a file of an image; see ``read_bitmap``."""
+    return (yield from read_bitmap(path, str(path), workers))
+
+
+def read_bitmap(
+    source: Path | bytes, name: str, workers: Workers, said: str = ""
+) -> Generator[None, None, Pictogram]:
+    """Return the icon in an image, of a file or in bytes; yield now and then.
+
+    What is ``said`` of it is the first of its remarks.
 
     Raises
     ------
     IconstudioError
         If it cannot be read, or no drawing can be made out.
     """
-    image = yield from read_image(path, workers)
+    try:
+        image = yield from read_image(source, workers)
+    except IconstudioError as error:
+        if isinstance(source, Path):
+            raise
+        raise IconstudioError(f"“{name}” cannot be used. {error}") from None
     try:
         found = yield from scan(image, None, workers)
-        tracing = yield from trace(found, None, path.name, workers, image.remark)
+        remark = " ".join(filter(None, [said, image.remark]))
+        tracing = yield from trace(found, None, Path(name).name, workers, remark)
         return tracing.pictogram
     except IconstudioError as error:
         # Nothing of it is shown.
         remark = DAMAGED if image.remark == CUT_SHORT else image.remark
-        said = " ".join(filter(None, [remark, str(error)]))
-        raise IconstudioError(f"“{path}” cannot be used. {said}") from None
+        why = " ".join(filter(None, [remark, str(error)]))
+        raise IconstudioError(f"“{name}” cannot be used. {why}") from None
 
 
 def _scan(image: Image, inverted: bool | None) -> Scan:

@@ -98,7 +98,7 @@ class Lookup:
     def beside(self, keyword: str) -> tuple[str, ...]:
         """Return words for things of the same kind as one that nothing answers."""
         words = query.plain(keyword)
-        return () if is_rude(words) else self._terms.beside(words)
+        return () if is_rude(words) or words in BRANDS else self._terms.beside(words)
 
     def suggestions(self, keyword: str) -> tuple[str, ...]:
         """Return words near to a keyword in spelling, unless that is no misspelling.
@@ -126,7 +126,6 @@ class Lookup:
         found = {
             number: identifier.endswith(f":{name}")
             for number, identifier in self._rows(ask, (name.replace("-", ""),))
-            if number not in self._terms.logos
         }
         exactly = {number: True for number, so in found.items() if so}
         return exactly or found

@@ -10,7 +10,6 @@ from typing import Any
 from iconstudio.library.words import query
 from iconstudio.library.words.decency import is_insult
 from iconstudio.library.words.inflections import is_irregular, singulars
-from iconstudio.library.words.logos import LOGOS
 from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.readings import COMPOUND, EXACT, MENTION, POSED
 from iconstudio.library.words.relations import BESIDE, BROADER, BROADEST, FORM, KIND, SAME, SPELLING
@@ -77,10 +76,6 @@ class Terms:
 
     def __init__(self, rows: Rows) -> None:
         self._rows = rows
-        marks = ",".join("?" * len(LOGOS))
-        ask = f"SELECT number FROM icon WHERE id IN ({marks})"
-        self.logos = frozenset(row[0] for row in rows(ask, tuple(LOGOS)))
-        """The icons that nobody means who looks for the thing that they are called as."""
 
     def plainly(self, words: str) -> Scores:
         """Return the icons that answer plain words taken together, in the plural or not."""
@@ -99,8 +94,6 @@ class Terms:
             if answers and form in singles:
                 break
         found |= called
-        for logo in self.logos.intersection(found):
-            del found[logo]
         return self._own_names_first(words, found)
 
     def _own_names_first(self, words: str, found: Scores) -> Scores:

@@ -4,7 +4,7 @@ from iconstudio.model.canvas import CANVAS, MARGIN
 from iconstudio.model.colour import hex_colour, levels_of
 from iconstudio.model.composite import Composite, Drawing
 from iconstudio.model.edit import Edit
-from iconstudio.model.errors import IconstudioError, SpriteError
+from iconstudio.model.errors import BitmapError, IconstudioError, SpriteError
 from iconstudio.model.exemplar import Exemplar, Frame
 from iconstudio.model.icon import ColouredLayer, Fill, Icon, Patterned, Remix, Restyled
 from iconstudio.model.inner import Inner
@@ -27,6 +27,7 @@ __all__ = [
     "CANVAS",
     "MARGIN",
     "Axis",
+    "BitmapError",
     "ColouredLayer",
     "Composite",
     "Contour",

@@ -21,3 +21,17 @@ class SpriteError(IconstudioError):
 
     def __str__(self) -> str:
         return f"{self.what} {self.advice}".strip()
+
+
+class BitmapError(IconstudioError):
+    """A drawing shows nothing but a bitmap that it holds, which can be read in its place.
+
+    ``what`` says so; ``bitmap`` are the bytes of its file.
+    """
+
+    def __init__(self, what: str, bitmap: bytes) -> None:
+        super().__init__(what, bitmap)
+        self.what, self.bitmap = what, bitmap
+
+    def __str__(self) -> str:
+        return self.what

@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from iconstudio.model import CANVAS, Frame, IconstudioError
+from iconstudio.model import CANVAS, BitmapError, Frame, IconstudioError
+from iconstudio.svg.bitmaps import only_bitmap
 from iconstudio.svg.bounds import union
 from iconstudio.svg.credits import metadata
 from iconstudio.svg.decode import decode
@@ -46,6 +47,8 @@ def artwork(
 
     Raises
     ------
+    BitmapError
+        If all that it shows is a bitmap.
     IconstudioError
         If it is no SVG, shows nothing on its canvas, or is not safe to draw.
     """
@@ -56,7 +59,9 @@ def artwork(
     fonts, said = fonts_of(drawing.texts)
     remarks = [*drawing.remarks, *said]
     if drawing.bounds is None or not max(drawing.bounds[2:]):
-        raise IconstudioError(" ".join(["There is nothing to be seen in it.", *remarks]))
+        why = " ".join(["There is nothing to be seen in it.", *remarks])
+        bitmap = only_bitmap(drawing.bitmaps)
+        raise IconstudioError(why) if bitmap is None else BitmapError(why, bitmap)
     page = drawing.page or drawing.bounds
     content, matrix = brought_near(drawing.content, page, drawing.bounds)
     page, bounds = mapped(matrix, page), mapped(matrix, drawing.bounds)

@@ -2,7 +2,8 @@
 
 The space of each element is mapped, evenly and without turning, so that its unit is one of the
 canvas. What is left of its transform turns and shears, but neither moves nor enlarges. What it
-refers to comes along: in each space where it is needed, there is a copy.
+refers to comes along: in each space where it is needed, there is a copy. Nothing is repeated any
+more, and nothing has a viewport of its own (``repeats``).
 """
 
 import math
@@ -11,7 +12,6 @@ import xml.etree.ElementTree as ET
 from typing import NamedTuple
 
 from iconstudio.model import CANVAS, IconstudioError
-from iconstudio.svg.bounds import viewport
 from iconstudio.svg.check import MAX_EXPANSION
 from iconstudio.svg.geometry import SHAPES, moved, path_data
 from iconstudio.svg.lengths import (
@@ -21,7 +21,6 @@ from iconstudio.svg.lengths import (
     between,
     even_part,
     length,
-    mapped,
     multiplied,
     numbers,
     transform,
@@ -40,7 +39,6 @@ _DEFINITIONS = (
     "defs", "symbol", "clipPath", "mask", "pattern", "marker", "linearGradient", "radialGradient",
     "filter",
 )  # fmt: skip
-_VIEWS = ("svg", "symbol")
 _OF_SHAPES = (
     "d", "x", "y", "x1", "y1", "x2", "y2", "cx", "cy", "r", "rx", "ry", "width", "height", "points",
 )  # fmt: skip
@@ -98,11 +96,6 @@ class _Space(NamedTuple):
     strokes: tuple[str, ...] = _INITIAL
     """What it inherits."""
 
-    def at(self, x: float, y: float) -> "_Space":
-        """Return a space whose origin is there."""
-        matrix = multiplied(self.matrix, (1, 0, 0, 1, x, y))
-        return self._replace(matrix=matrix, near=(self.near[0], 0, 0, self.near[0], 0, 0))
-
 
 class _Mover:
     def __init__(self, page: Box, content: ET.Element) -> None:
@@ -118,12 +111,6 @@ class _Mover:
         matrix = multiplied(outer, _transform(element))
         if element.tag in (*SHAPES, "text"):
             return _is_usual(matrix)
-        if element.tag == "use":
-            target = self._target(element)
-            placed = multiplied(matrix, (1, 0, 0, 1, *self._corner(element)))
-            return target is None or self.is_near(target, placed)
-        if element.tag in _VIEWS:
-            matrix = multiplied(matrix, self._viewport(element, element))
         if not _is_usual(matrix, _BETWEEN):
             return False
         return all(self.is_near(one, matrix) for one in element if one.tag not in _DEFINITIONS)
@@ -153,12 +140,6 @@ class _Mover:
                 new.attrib.pop(name, None)
         elif element.tag == "text":
             self._write(new, element, near)
-        elif element.tag == "use":
-            self._use(new, element, space)
-        elif element.tag == "svg":
-            corner = self._corner(element)
-            self._frame(new, element, mapped(near, (*corner, 0, 0))[:2], near[0])
-            self._view(new, element, space.at(*corner), element)
         else:
             new[:] = self._shown(element, space)
         return new
@@ -176,52 +157,6 @@ class _Mover:
 
     def _shown(self, element: ET.Element, space: _Space) -> list[ET.Element]:
         return [self._moved(one, space) for one in element if one.tag not in _DEFINITIONS]
-
-    def _use(self, new: ET.Element, element: ET.Element, space: _Space) -> None:
-        target, corner = self._target(element), self._corner(element)
-        if target is None:
-            return
-        x, y = (one * space.near[0] for one in corner)
-        if target.tag in _VIEWS:
-            x, y = mapped(space.near, (*corner, 0, 0))[:2]
-            self._frame(new, element, (x, y), space.near[0])
-            inner = space.at(*corner)
-        else:
-            matrix = multiplied(space.matrix, (1, 0, 0, 1, *corner))
-            inner = space._replace(matrix=matrix)
-        new.set("x", f"{x:.9g}")
-        new.set("y", f"{y:.9g}")
-        name = self._names.get((element.attrib["href"], inner))
-        if name is None:
-            name = self._new_name(element.attrib["href"], inner)
-            if target.tag == "symbol":
-                shown = self._copy(target, inner.near)
-                self._view(shown, target, inner, element)
-            else:
-                shown = self._moved(target, inner)
-            shown.set("id", name)
-            self._defs.append(shown)
-        new.set("href", f"#{name}")
-
-    def _frame(
-        self, new: ET.Element, element: ET.Element, corner: tuple[float, ...], scale: float
-    ) -> None:
-        """Say where a viewport is."""
-        sizes = (
-            length(element.get(name), whole, whole) * scale
-            for name, whole in zip(("width", "height"), self._page[2:], strict=True)
-        )
-        for name, value in zip(("x", "y", "width", "height"), (*corner, *sizes), strict=True):
-            new.set(name, f"{value:.9g}")
-
-    def _view(self, new: ET.Element, element: ET.Element, space: _Space, use: ET.Element) -> None:
-        """Let a viewport show what is in it; it is as large as ``use`` says."""
-        box = numbers(element.get("viewBox", ""))
-        if len(box) == 4:
-            matrix = multiplied(space.matrix, self._viewport(element, use))
-            space = space._replace(matrix=matrix, near=even_part(matrix))
-            new.set("viewBox", written(mapped(space.near, (box[0], box[1], box[2], box[3]))))
-        new[:] = self._shown(element, space)
 
     def _copy(self, element: ET.Element, near: Matrix) -> ET.Element:
         """Return an element without children, which refers to what is near, too."""
@@ -347,13 +282,6 @@ class _Mover:
 
     def _target(self, element: ET.Element) -> ET.Element | None:
         return self._ids.get(element.get("href", "").removeprefix("#"))
-
-    def _corner(self, element: ET.Element) -> tuple[float, float]:
-        return length(element.get("x"), self._page[2]), length(element.get("y"), self._page[3])
-
-    def _viewport(self, element: ET.Element, use: ET.Element) -> Matrix:
-        width, height = (use.get(name, element.get(name)) for name in ("width", "height"))
-        return viewport(element, self._page, (width, height))
 
     def _placed(self, name: str, value: str, near: Matrix) -> str:
         """Return a length, or several, where it is near; coordinates are moved, too."""

@@ -1,21 +1,17 @@
-"""Transforms of CSS, and strokes that do not scale (SVG 2, sections 8.5 and 8.10), in SVG 1.1."""
+"""Transforms of CSS (SVG 2, section 8.5), in SVG 1.1."""
 
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 
-from iconstudio.svg.bounds import bounds, viewport
-from iconstudio.svg.geometry import SHAPES, data_length, moved, path_data
+from iconstudio.svg.bounds import bounds
+from iconstudio.svg.geometry import SHAPES, data_length, path_data
 from iconstudio.svg.lengths import (
     IDENTITY,
     Box,
-    Matrix,
     around,
-    inverse,
     length,
-    multiplied,
     numbers,
-    pixels,
     transform,
     written,
 )
@@ -39,13 +35,6 @@ def place(root: ET.Element, page: Box | None, ids: Mapping[str, ET.Element]) -> 
     _scale_dashes(root, {}, page or (0.0, 0.0, 100.0, 100.0))
     shown = page or (0.0, 0.0, 100.0, 100.0)
     _place_all(root, shown, ids, remarks)
-    if any(one.get("vector-effect") == "non-scaling-stroke" for one in root.iter()):
-        width, height = pixels(root.get("width")), pixels(root.get("height"))
-        outer = IDENTITY
-        if width and height and page:
-            outer = viewport(root, (0, 0, width, height), (str(width), str(height)))
-        for child in root:
-            _keep_strokes(child, outer, shown)
     return remarks
 
 
@@ -166,28 +155,3 @@ def _in_pixels(said: str, box: Box) -> str:
         return f"{match[1]}({', '.join(parts)})"
 
     return _TRANSLATION.sub(replaced, said)
-
-
-def _keep_strokes(element: ET.Element, outer: Matrix, page: Box) -> None:
-    """Draw shapes whose strokes do not scale in the space of the screen, and map it back."""
-    matrix = multiplied(outer, transform(element.get("transform")) or IDENTITY)
-    if element.tag in SHAPES:
-        back = inverse(outer)
-        if element.get("vector-effect") == "non-scaling-stroke" and back is not None:
-            data = moved(path_data(element, page), matrix)
-            if data:
-                _as_path(element, data, back)
-        return
-    for child in element:
-        _keep_strokes(child, matrix, page)
-
-
-_OF_SHAPES = re.compile(r"d|x|y|x1|y1|x2|y2|cx|cy|r|rx|ry|width|height|points|vector-effect")
-
-
-def _as_path(element: ET.Element, data: str, matrix: Matrix) -> None:
-    for name in [name for name in element.attrib if _OF_SHAPES.fullmatch(name)]:
-        del element.attrib[name]
-    element.tag = "path"
-    element.set("d", data)
-    element.set("transform", f"matrix({written(matrix)})")

@@ -15,16 +15,18 @@ from iconstudio.svg.bounds import bounds
 from iconstudio.svg.check import MAX_DEPTH, check
 from iconstudio.svg.clipping import clip
 from iconstudio.svg.embedding import embed
-from iconstudio.svg.filters import leave_out_distortions
+from iconstudio.svg.filters import bound_octaves, leave_out_distortions
 from iconstudio.svg.geometry import SHAPES
 from iconstudio.svg.lengths import IDENTITY, Box, Matrix, numbers, pixels, written
 from iconstudio.svg.lettering import TEXTS, set_type
 from iconstudio.svg.mark import ATTRIBUTE, PAGE
 from iconstudio.svg.pathdata import cut_off_mistakes
 from iconstudio.svg.placing import place
+from iconstudio.svg.repeats import as_groups
 from iconstudio.svg.scribbles import refuse_scribbles
 from iconstudio.svg.styles import ONLY_IN_STYLE, apply_styles
 from iconstudio.svg.textpaths import letters_beyond
+from iconstudio.svg.unscaled import keep_strokes
 
 _GROUPS = ("svg", "g", "a", "switch", "symbol", "defs", "use")
 _SERVERS = ("clipPath", "mask", "pattern", "marker", "stop", *references.GRADIENTS)
@@ -79,6 +81,8 @@ class Plain:
     """What could not be read, in sentences."""
     marked: bool
     """Whether it says that it was made plain and black here."""
+    bitmaps: tuple[str, ...] = ()
+    """The addresses of bitmaps that would be seen, and were left out."""
 
 
 def plain(
@@ -131,7 +135,9 @@ def plain(
         remarks += without
         kept = references.drawn(root, ids)
     remarks += leave_out_distortions(kept)
+    bound_octaves(kept)
     remarks += cut_off_mistakes(kept)
+    bitmaps = tuple(one.get("href", "") for one in kept if one.tag == "image")
     remarks += _without_unknown(root, kept)
     texts = tuple(_texts(kept))
     references.prune(root, kept)
@@ -139,6 +145,8 @@ def plain(
     check(ET.tostring(root, encoding="unicode"), MAX_DEPTH)
     refuse_scribbles(kept)
     remarks += place(root, page, ids)
+    as_groups(root, page, ids)
+    keep_strokes(root, page)
     remarks += clip(root, page, ids)
     remarks += letters_beyond(root, page, ids)
     _without_contexts(root, False)
@@ -153,6 +161,7 @@ def plain(
         or sum(one.tag in ("mask", "clipPath") for one in kept) > _MANY,
         tuple(as_one(remarks)),
         marked,
+        bitmaps,
     )
 
 

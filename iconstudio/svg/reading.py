@@ -13,10 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.files import read_bytes
-from iconstudio.model import Credit, IconstudioError, Pictogram, SpriteError
+from iconstudio.model import BitmapError, Credit, IconstudioError, Pictogram, SpriteError
 from iconstudio.model.pictogram import OWN
 from iconstudio.svg import credits
 from iconstudio.svg.animation import moves
+from iconstudio.svg.bitmaps import only_bitmap
 from iconstudio.svg.decode import MAX_BYTES, decode
 from iconstudio.svg.markup import markup_of
 from iconstudio.svg.parse import parse
@@ -77,6 +78,8 @@ def own_svg(data: bytes, name: str, symbol: str | None = None) -> Pictogram:
     ------
     SpriteError
         If it is a sprite sheet, and ``symbol`` does not say what of it is wanted.
+    BitmapError
+        If all that it shows is a bitmap.
     IconstudioError
         If it is no SVG, shows nothing, or is not safe to draw.
     """
@@ -96,6 +99,8 @@ def own_artwork(
     ------
     SpriteError
         If it is a sprite sheet, and ``symbol`` does not say what of it is wanted.
+    BitmapError
+        If all that it shows is a bitmap.
     IconstudioError
         If it is no SVG, shows nothing on its canvas, or is not safe to draw.
     """
@@ -122,7 +127,7 @@ def told(data: bytes, name: str, symbol: str | None = None) -> Iterator[None]:
 
     Raises
     ------
-    SpriteError, IconstudioError
+    SpriteError, BitmapError, IconstudioError
         With whatever is raised there.
     """
     try:
@@ -133,6 +138,8 @@ def told(data: bytes, name: str, symbol: str | None = None) -> Iterator[None]:
             error.names,
             f"To use one, write its name behind the file's: “{Path(name).name}#{error.names[0]}”.",
         ) from None
+    except BitmapError as error:
+        raise BitmapError(f"“{name}” cannot be used. {error}", error.bitmap) from None
     except IconstudioError as error:
         raise IconstudioError(f"“{name}” cannot be used. {error}") from None
     except _UNFORESEEN as error:
@@ -183,9 +190,12 @@ def _read(
     said = [*unread, *left_out]
     rdf = credits.metadata(root)
     credit = credits.credit(rdf, title if symbol is None else f"{title}#{symbol}")
+    drawing = plain(root, said, symbol)
     try:
-        svg, remarks = in_black(plain(root, said, symbol), rdf)
-    except EmptyError:
+        svg, remarks = in_black(drawing, rdf)
+    except EmptyError as error:
+        if (bitmap := only_bitmap(drawing.bitmaps)) is not None:
+            raise BitmapError(str(error), bitmap) from None
         if not moves(markup):
             raise
         svg, remarks = in_black(plain(parse(markup)[0], said, symbol, midway=True), rdf)

@@ -33,6 +33,9 @@ _SHEEN = 0.5
 _FEW = 400
 """Characters of the outline of such a shape at most."""
 
+_DEFINITIONS = ("clipPath", "mask", "marker", "pattern")
+"""What is measured by itself, or by what it serves."""
+
 FINE_DASHES = "Its dashes are too fine to be seen; the lines were drawn whole."
 FINE_PATTERNS = "A pattern in it is too fine to be seen; it was drawn coarser."
 
@@ -88,6 +91,8 @@ def _thicken(
     element: ET.Element, outer: Matrix, inherited: _Stroke, least: float, page: Box, fills: bool
 ) -> bool:
     """Thicken strokes in place; return whether there were some to be."""
+    if element.tag in _DEFINITIONS:
+        return False
     matrix = multiplied(outer, transform(element.get("transform")) or IDENTITY)
     own = inherited.of(element, page)
     if element.tag not in SHAPES:
@@ -142,6 +147,8 @@ def coarsened(content: ET.Element, size: float, page: Box) -> tuple[ET.Element, 
 
 
 def _join_dashes(element: ET.Element, outer: Matrix, dashes: str | None, least: float) -> bool:
+    if element.tag in _DEFINITIONS:
+        return False
     matrix = multiplied(outer, transform(element.get("transform")) or IDENTITY)
     dashes = element.get("stroke-dasharray", dashes)
     if element.tag not in SHAPES:

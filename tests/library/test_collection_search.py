@@ -11,7 +11,6 @@ from small_world import icon_set, shape
 
 from iconstudio.library import search
 from iconstudio.library.fingerprint import SIDE, WORDS, fingerprint, stack, unlikeness
-from iconstudio.library.words.logos import LOGOS
 from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.nearness import nearest
 from iconstudio.model import IconstudioError
@@ -279,7 +278,7 @@ def test_the_bundled_collection_knows_other_words(bundled, keyword, word):
 @pytest.fixture(scope="module")
 def names(bundled):
     rows = bundled._rows("SELECT id FROM icon")
-    return sorted({row[0].partition(":")[2] for row in rows if row[0] not in LOGOS})
+    return sorted({row[0].partition(":")[2] for row in rows})
 
 
 def found_by_its_name(bundled, name, typed):

@@ -1,8 +1,13 @@
 """Filters, blending and opacity: the picture is right, or it is said that it is not."""
 
+import numpy as np
 import pytest
 
+from iconstudio.model import Frame
+from iconstudio.svg.parse import parse
+from iconstudio.svg.plain import document, plain
 from iconstudio.svg.rasterise import rasterise
+from iconstudio.svg.resvg import render_colours
 from iconstudio.svg.styles import ONLY_IN_STYLE
 from tests.svg.pictures import assert_shows, overlap, read, svg
 
@@ -45,6 +50,20 @@ def test_a_distortion_is_left_out_and_told():
         '<feDisplacementMap in="SourceGraphic" in2="t" scale="8"/></filter>'
     )
     assert_shows(svg(f'{distort}<g filter="url(#d)">{HOLE}</g>'), HOLE, remarks=["distorts"])
+
+
+def test_noise_of_many_octaves_is_that_of_those_that_are_seen():
+    def noise(octaves):
+        turbulence = f'<feTurbulence baseFrequency=".1" numOctaves="{octaves}"/>'
+        return svg(f'<filter id="f">{turbulence}</filter><g filter="url(#f)">{PAGE}</g>')
+
+    def drawn(document):
+        return render_colours(document, Frame(0, 0, 24), 64).astype(int)
+
+    plainly = plain(parse(noise(2_000_000))[0])  # each of which would take as long
+    bounded = drawn(document(plainly.content, (0, 0, 24, 24)))
+    assert bounded.std() > 10
+    assert np.abs(bounded - drawn(noise(40))).mean() < 1
 
 
 XOR = (

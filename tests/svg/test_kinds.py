@@ -286,7 +286,24 @@ def test_the_house_is_read_however_it_is_encoded(kind):
     assert_shows(ENCODED[kind], PATH)
 
 
+UNSCALED = (
+    '<path vector-effect="non-scaling-stroke" stroke="#000" stroke-width="2"'
+    ' d="M.125 .875V.4167L.5 .125l.375 .29167v.45833z"/>'
+)
+LINES = f'<path fill="none" stroke="#000" stroke-width="2" d="{ROOF}"/>'
 AS_THE_OUTLINE = {
+    "lines within a small viewport": svg(
+        f'<svg width="2400" height="2400" viewBox="0 0 24 24">{LINES}</svg>',
+        'viewBox="0 0 2400 2400"',
+    ),
+    "lines of a small symbol": svg(
+        f'<symbol id="a" viewBox="0 0 24 24">{LINES}</symbol><use href="#a"/>',
+        'viewBox="0 0 2400 2400"',
+    ),
+    "lines that are repeated larger": svg(
+        f'<defs><g id="a">{LINES}</g></defs><use href="#a" transform="scale(100)"/>',
+        'viewBox="0 0 2400 2400"',
+    ),
     "variables": svg(
         f'<path style="fill:var(--f,none);stroke:var(--s,#000);stroke-width:2" d="{ROOF}"/>'
     ),
@@ -299,6 +316,18 @@ AS_THE_OUTLINE = {
         '<path vector-effect="non-scaling-stroke" fill="none" stroke="#000" stroke-width="8"'
         ' d="M.125 .875V.4167L.5 .125l.375 .29167v.45833z"/>',
         'width="96" height="96" viewBox="0 0 1 1"',
+    ),
+    "strokes that do not scale, repeated": svg(
+        f'<defs><g id="a" transform="scale(3)">{UNSCALED}</g><g id="b"><use href="#a" x="1"/></g>'
+        '</defs><use href="#b" transform="translate(-8) scale(8)" fill="none"/>'
+    ),
+    "strokes that do not scale, in a symbol": svg(
+        f'<symbol id="a" viewBox="0 0 1 1" fill="none">{UNSCALED}</symbol>'
+        '<use href="#a" x="12" y="12" width="48" height="48" transform="matrix(.5 0 0 .5 -6 -6)"/>'
+    ),
+    "strokes that do not scale, in a viewport": svg(
+        '<g transform="scale(.1)"><svg width="240" height="240" viewBox="0 0 1 1" fill="none">'
+        f"{UNSCALED}</svg></g>"
     ),
     "white line": svg(f'<path fill="none" stroke="#fff" stroke-width="2" d="{ROOF}"/>'),
     "width in rem": svg(f'<path style="fill:none;stroke:red;stroke-width:.125rem" d="{ROOF}"/>'),

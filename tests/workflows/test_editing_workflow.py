@@ -4,9 +4,16 @@ import numpy as np
 import pytest
 
 from iconstudio.algorithms.iconification.matching import Matcher, prepare
-from iconstudio.model import CANVAS, Edit, IconstudioError, Inner, Polygon
+from iconstudio.model import CANVAS, Axis, Edit, IconstudioError, Inner, Polygon
 from iconstudio.svg.placed import render_placed
-from iconstudio.workflows.editing.editing import SAME, edit_icon, lookalikes, own_styles, place_edit
+from iconstudio.workflows.editing.editing import (
+    SAME,
+    edit_icon,
+    lookalikes,
+    own_styles,
+    place_edit,
+    place_edited,
+)
 from iconstudio.workflows.events import Recommended, Remark, StyleMatched
 from iconstudio.workflows.grid import SHOWN, GridSettings
 from tests.shapes import blob, exemplar, icons
@@ -232,6 +239,66 @@ def test_styles_are_those_of_the_icon():
     assert own_styles(ICON) == ("dark",)
     half = exemplar(box(16, 100, 240, 200) & (XS % 20 < 10), "stripes")
     assert own_styles(half) == ("light", "medium")
+
+
+def test_under_symmetry_what_mirrors_a_mark_is_free_to_change_with_it():
+    edit = replace(EDIT, symmetry=Axis.HORIZONTAL)
+    assert not place_edit(edit, ICON).unmarked.paper[70, 256 - 100 : 256 - 70].any()
+    assert place_edit(EDIT, ICON).unmarked.paper[70, 256 - 100 : 256 - 70].all()
+
+
+FRAME = box(40, 60, 216, 216) & ~box(56, 76, 200, 200)
+
+
+def edited(edit, own, *others, workers, styles=("light", "medium")):
+    """The inks of an icon after an edit, for which other icons are at hand."""
+    prepared = Matcher([prepare(one) for one in (*others, *BLOBS)])
+    settings = GridSettings(styles=styles, lambdas=(0.05, 0.3, 0.75))
+    change = place_edited(edit, own, workers, render_placed)
+    found = icons(edit_icon(change, prepared, settings, workers, render_placed))
+    assert found
+    return [inked(result) for result in found]
+
+
+def test_lines_that_are_not_marked_stay_and_nothing_new_lies_beyond_the_marks(workers):
+    """The other icon's knob has a brim, and its lines lie elsewhere."""
+    own = exemplar(FRAME, "frame")
+    shell = box(36, 48, 220, 226) & ~box(64, 88, 192, 190)
+    knob = box(100, 16, 156, 60) & ~box(116, 32, 140, 60) | box(70, 44, 186, 60)
+    edit = Edit(own.pictogram, "x", add=(rectangle(100, 16, 156, 72),))
+    near = box(94, 10, 162, 78)
+    for ink in edited(edit, own, exemplar(shell | knob, "knob"), workers=workers):
+        assert ink[FRAME].mean() > 0.995
+        assert (ink & ~FRAME & ~near).sum() < 10
+        assert (ink & ~FRAME & near).sum() > 200
+
+
+def test_no_other_icon_puts_back_what_was_taken_off(workers):
+    """The door is one contour with the wall; other houses have one, too."""
+    door = box(100, 120, 156, 216) & ~box(116, 136, 140, 216)
+    own = exemplar(FRAME | door, "own")
+    wide = exemplar(FRAME | box(90, 110, 166, 216) & ~box(110, 130, 146, 216), "wide")
+    edit = Edit(own.pictogram, "x", (rectangle(90, 110, 166, 200),))
+    for ink in edited(edit, own, wide, workers=workers):
+        assert (ink ^ FRAME).sum() < 0.01 * FRAME.sum()
+
+
+def test_a_wall_of_which_a_rough_mark_covers_the_rim_stays_as_it_is(workers):
+    cup = exemplar(CUP | HANDLE, "cup")
+    edit = Edit(cup.pictogram, "x", (rectangle(164, 80, 240, 200),))
+    thick = box(24, 60, 178, 220) & ~box(46, 76, 150, 204)
+    for ink in edited(edit, cup, exemplar(thick, "thick"), workers=workers):
+        assert (ink ^ CUP).sum() < 0.01 * CUP.sum()
+
+
+@pytest.mark.parametrize("marked", ["drawn", "taken out"])
+def test_a_hole_in_plain_ink_comes_though_no_other_icon_has_one(marked, workers):
+    area = rectangle(90, 130, 150, 170)
+    hole = {"inner": Inner((area,))} if marked == "drawn" else {"remove": (area,)}
+    edit = Edit(ICON.pictogram, "body", **hole)
+    right = BODY & ~box(90, 130, 150, 170)
+    for ink in edited(edit, ICON, WITH_KNOB, workers=workers, styles=("dark",)):
+        assert (ink ^ right).sum() < 0.005 * BODY.sum()
 
 
 @pytest.mark.parametrize(

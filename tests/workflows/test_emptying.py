@@ -43,7 +43,7 @@ ONLY_RING, ONLY_DISC = drawn(RING.format(100, 20)), drawn(DISC.format(110))
     [(GEAR, 60, ONLY_RING), (DONUT, 40, ONLY_DISC), (DONUT, 70, ONLY_DISC)],
 )
 def test_what_is_enclosed_goes_and_what_is_around_it_goes_on(icon, reach, right):
-    found = emptied((square(reach),), icon, render_placed)
+    found = emptied((square(reach),), (), icon, render_placed)
     assert same(found.icon, right)
     assert found.areas == (square(reach),)
     assert found.icon.pictogram.credit == icon.pictogram.credit
@@ -51,14 +51,14 @@ def test_what_is_enclosed_goes_and_what_is_around_it_goes_on(icon, reach, right)
 
 
 def test_a_window_goes_alone_where_a_hub_is_around_it():
-    found = emptied((square(35),), GEAR, render_placed)
+    found = emptied((square(35),), (), GEAR, render_placed)
     right = drawn(RING.format(100, 20), DISC.format(50))
     assert same(found.icon, right)
 
 
 @pytest.mark.parametrize("area", [square(20), square(120), Polygon.of([(0, 0), (9, 0), (9, 9)])])
 def test_what_encloses_nothing_or_reaches_beyond_the_outline_is_left_to_the_cut(area):
-    assert emptied((area,), GEAR, render_placed) is None
+    assert emptied((area,), (), GEAR, render_placed) is None
 
 
 def test_where_something_runs_through_there_is_still_to_do():
@@ -67,7 +67,7 @@ def test_where_something_runs_through_there_is_still_to_do():
         '<circle cx="60" cy="128" r="8"/>',
     )  # fmt: skip
     dot = Polygon.of([(45, 113), (75, 113), (75, 143), (45, 143)])
-    found = emptied((square(60), dot), spokes, render_placed)
+    found = emptied((square(60), dot), (), spokes, render_placed)
     assert found.areas == (dot,)
     assert found.icon.ink[128, 80:110].any(), "the hub holds to a spoke"
     assert not found.icon.ink[128, 60]

@@ -33,7 +33,7 @@ _TURN = 8.0
 """The same of a sharp turn."""
 _GENTLE, _SHARP = np.radians(25), np.radians(75)
 """What turns by less nearby is no detail; what turns by more is one altogether."""
-_INK, _GAP = 25, 17
+INK, _GAP = 25, 17
 """Strokes of ink are less than so many canvas pixels wide, and those of paper in ink."""
 _STRAY = 1.5
 """Canvas units by which what is drawn inside may reach over the outline: that is no crossing."""
@@ -131,11 +131,11 @@ def strokes(ink: Bitmap) -> Bitmap:
     unit = ink.shape[-1] / CANVAS
     paper = interior(ink, solid(ink))
     border = paper & ~scipy.ndimage.binary_erosion(paper)
-    found: Bitmap = _thin(ink, round(_INK * unit)) | _thin(paper, round(_GAP * unit)) | border
+    found: Bitmap = thin(ink, round(INK * unit)) | thin(paper, round(_GAP * unit)) | border
     return found
 
 
-def _thin(shape: Bitmap, width: int) -> Bitmap:
+def thin(shape: Bitmap, width: int) -> Bitmap:
     """Return where a square of that width does not fit into a shape."""
     picture = shape.view(np.uint8)
     for turn in (scipy.ndimage.minimum_filter1d, scipy.ndimage.maximum_filter1d):

@@ -77,6 +77,10 @@ _KEPT = {
     "line": word_set("clothes fishing zip power pipe chalk bee"),
     "glyph": word_set("hiero"),
     "o": word_set("jack"),
+    "broken": word_set(
+        "bone cd chain dental disc document file glass goblet heart ice image link location "
+        "shield trophy"
+    ),
 }
 
 

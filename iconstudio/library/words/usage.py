@@ -36,7 +36,7 @@ SYNONYMS = (
     "present gift", "bag handbag", "purse handbag", "photo photograph", "film movie",
     "cactus cacti", "helicopter chopper", "ax axe", "donut doughnut", "airplane airliner",
     "sneaker trainer", "trashcan bin", "bin trash", "trash garbage", "sailboat boat",
-    "eggplant aubergine",
+    "eggplant aubergine", "biscuit cookie",
     "subway metro", "shop store", "mailbox postbox", "suitcase luggage", "gear cog cogwheel",
     "pitcher jug", "tap faucet", "t_rex tyrannosaurus dinosaur",
 )  # fmt: skip

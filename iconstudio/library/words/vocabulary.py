@@ -61,9 +61,10 @@ BADGES = words(
     bell notification bookmark tag label flag manager management new all list multiple connect
     connected connection disconnect data chart message chat ok done verified approve approved
     reject success fail scan target move direction git source branch
+    broken crack cracked
     """
 )
-"""Words that, put before or after a thing, mean a small sign on it or a frame around it."""
+"""Words that, put before or after a thing, mean a small sign on it, a frame around it or damage."""
 
 ATTRIBUTES = words(
     """

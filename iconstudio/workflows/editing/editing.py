@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.energy import distance_field, remix_problem
@@ -22,11 +21,14 @@ from iconstudio.algorithms.iconification.guide import (
     filled_polygons,
     inner_aims,
 )
+from iconstudio.algorithms.iconification.keeping import Kept, kept
 from iconstudio.algorithms.iconification.matching import Matcher
 from iconstudio.algorithms.iconification.overhang import seen
 from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.saliency import saliency, salient_regions
 from iconstudio.algorithms.iconification.style import STYLES, Style, blackness
+from iconstudio.algorithms.iconification.symmetry import reflected
+from iconstudio.algorithms.iconification.taking_off import meant, taken_off
 from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import Bitmap, outlines, overlap, placed_ink, solid
 from iconstudio.model import (
@@ -66,9 +68,6 @@ _UNMET = (
     "other icons have little of it there, and where they have not, the icon stays as it is. Draw "
     "it where one of them has it, or try another keyword."
 )
-_ROUGH, _STUB = 8, 32
-"""Canvas units by which an outline may miss the end of what is removed, and the width of the widest
-stubs that this leaves."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,6 +95,8 @@ class PlacedEdit:
     """(m, m): the outline that is wanted, filled."""
     mask: NDArray[np.float32]
     """D_E, (m, m): the distance from the changed area, from 0 to 1."""
+    unmarked: Kept
+    """What stays as it is."""
     guide: Guide = UNGUIDED
     """What is drawn inside the outline."""
     emptied: Emptied | None = None
@@ -131,8 +132,8 @@ class PlacedEdit:
         penalty = edit_penalty(self.mask, self.kept, len(data))
         for number, source in enumerate(sources):
             if source.placement == OFF_CANVAS:
-                # Within the outline, nothing fits what is removed as well as the icon did.
-                within = self.left & self.silhouette
+                # Within the outline, nothing fits what only goes as well as the icon did.
+                within = self.left & self.silhouette & ~self.added
                 penalty[number, within] = np.minimum(data[0] - data[number], 0)[within]
         return penalty
 
@@ -140,7 +141,8 @@ class PlacedEdit:
         """Pose the graph cut of ``sources``, the first of which is the icon itself."""
         problem = remix_problem(distance_field(self.silhouette), sources, symmetry)
         data = self.guide.guided(problem)
-        problem = replace(problem, data=data + self.penalty(data, sources))
+        data = data + self.penalty(data, sources) + self.unmarked.cost(problem.ink)
+        problem = replace(problem, data=data)
         # All but the change stays as it is.
         return Posed(
             problem, self.silhouette, near=self.mask < 1, inner=self.guide.inner, heal=False
@@ -183,24 +185,44 @@ def place_edit(
             "What should be added is too small to be seen. Sketch it larger, in the "
             f"icon's canvas of {CANVAS} units."
         )
-    keeps = filled & ~_taken_off(ink, filled, removed)
+    gone = taken_off(ink, filled, meant(ink, removed))
+    keeps = filled & ~gone
     silhouette = solid(keeps | added)
     if not silhouette.any():
         raise IconstudioError("Nothing of the icon would be left. Remove less, or add something.")
     inner = edit.inner.moved(placement.transform.transformPoint)
     inner.check()
     check_inner(inner, silhouette)
-    drawn = filled_polygons(inner.holes, side) | scribble(
-        [Stroke(0, one) for one in inner.lines], side
-    )
+    lines = scribble([Stroke(0, one) for one in inner.lines], side)
+    drawn = filled_polygons(inner.holes, side) | lines
     mask = truncated_distance(removed | added | drawn, EDIT_REACH * side / CANVAS)
     guide = Guide(inner, aims=inner_aims(inner, side))
-    base, left = Source(icon, placement), removed
+    base, left = Source(icon, placement), meant(ink, removed)
     if emptied is not None:
         some = [one for one in edit.remove if one not in emptied.areas]
-        base, left = Source(emptied.icon, placement), _union(some, placement, side)
+        base, left = Source(emptied.icon, placement), left & _union(some, placement, side)
+        holes = [one for one in edit.inner.holes if one not in emptied.areas]
+        drawn = _union(holes, placement, side) | lines
+    own, _ = placed_ink(base.exemplar, placement, side)
+    going, coming = gone & (left | ~removed), added
+    if edit.symmetry is not None:  # pixels that mirror each other change together
+        every = going, coming, drawn
+        going, coming, drawn = (one | reflected(one, edit.symmetry) for one in every)
+    unmarked = kept(own, going, coming, drawn, silhouette)
     return PlacedEdit(
-        edit, icon, base, ink, removed, added, left, keeps, silhouette, mask, guide, emptied
+        edit,
+        icon,
+        base,
+        ink,
+        removed,
+        added,
+        left,
+        keeps,
+        silhouette,
+        mask,
+        unmarked,
+        guide,
+        emptied,
     )
 
 
@@ -213,9 +235,9 @@ def place_edited(edit: Edit, icon: Exemplar, workers: Workers, render: Render) -
         As ``place_edit``.
     """
     change = place_edit(edit, icon)
-    if not edit.remove:
+    if not (edit.remove or edit.inner.holes):
         return change
-    emptying = begin_emptying(edit.remove, icon, workers, render)
+    emptying = begin_emptying(edit, icon, workers, render)
     emptied = answer(emptying, f"Drawing “{icon.name}”")
     return change if emptied is None else place_edit(edit, icon, CANVAS, emptied)
 
@@ -366,32 +388,6 @@ def _room(edit: Edit, icon: Exemplar) -> Placement:
         round(scale * (half - (left + right) / 2)),
         round(scale * (half - (top + bottom) / 2)),
     )
-
-
-def _taken_off(ink: Bitmap, filled: Bitmap, removed: Bitmap) -> Bitmap:
-    """Return what is removed, and what a rough outline leaves of it.
-
-    If most of a hole is removed, as of a handle, so is its rest, and the stubs beside that.
-    """
-    holes, _ = scipy.ndimage.label(filled & ~ink)
-    sizes = np.bincount(holes.ravel())
-    mostly = 2 * np.bincount(holes[removed], minlength=len(sizes)) > sizes
-    mostly[0] = False
-    gone: Bitmap = removed | mostly[holes]
-    rest = gone & ~removed
-    if not rest.any():
-        return gone
-    unit = len(ink) / CANVAS
-    left = filled & ~gone
-    away = [scipy.ndimage.distance_transform_edt(~mask) for mask in (removed, rest)]
-    depth = scipy.ndimage.distance_transform_edt(np.pad(left, 1))[1:-1, 1:-1]
-    radius = min(_STUB * unit, 0.75 * depth.max())
-    opened = scipy.ndimage.distance_transform_edt(depth <= radius) <= radius
-    near = (away[0] < _ROUGH * unit) & (away[1] < _STUB * unit)
-    pieces, _ = scipy.ndimage.label(left & ~opened & near)
-    stubs = np.unique(pieces[scipy.ndimage.binary_dilation(removed)])
-    gone |= np.isin(pieces, stubs[stubs > 0])
-    return gone
 
 
 def _union(polygons: Sequence[Polygon], placement: Placement, side: int) -> Bitmap:

@@ -1,7 +1,9 @@
-"""Parts inside an icon that are wholly enclosed by what is marked to go (section 4.2).
+"""What an edit takes out of an icon exactly, without a cut (section 4.2).
 
-An addition to the paper: such parts, a hub or a window, are no matter of a cut. Their contours are
-left out of the icon, which stays exactly as it is elsewhere; what was around them goes on.
+An addition to the paper. Parts inside an icon that are wholly enclosed by what is marked to go, a
+hub or a window, are no matter of a cut: their contours are left out of the icon, which stays as it
+is elsewhere; what was around them goes on. Nor is a hole in plain ink: what was drawn is its
+contour, whether another icon has one there or not.
 """
 
 from collections.abc import Sequence
@@ -9,13 +11,15 @@ from concurrent.futures import Future
 from dataclasses import dataclass, replace
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.flattening import flattened
+from iconstudio.algorithms.geometry import crosses_itself
 from iconstudio.algorithms.raster import Bitmap, fill_polygon, placed_ink
-from iconstudio.model import CANVAS, Exemplar, Placement, Polygon
+from iconstudio.model import CANVAS, Edit, Exemplar, Placement, Polygon
 from iconstudio.model.composite import WHOLE
-from iconstudio.model.path import Path
+from iconstudio.model.path import Contour, Path
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import MEMORY, SECONDS, Render, svg_of
 
@@ -24,43 +28,88 @@ _FINE = 4 * CANVAS
 
 @dataclass(frozen=True, eq=False)
 class Emptied:
-    """An icon without the parts that marked areas enclose."""
+    """An icon without the parts that marked areas enclose, and with the holes that it could get."""
 
     icon: Exemplar
     areas: tuple[Polygon, ...]
-    """Those in which nothing is left to be done."""
+    """Those in which nothing is left to be done: of what goes, and of holes."""
 
 
 def begin_emptying(
-    areas: Sequence[Polygon], icon: Exemplar, workers: Workers, render: Render
+    edit: Edit, icon: Exemplar, workers: Workers, render: Render
 ) -> "Future[Emptied | None]":
-    """Begin to take what ``areas`` enclose out of an icon; None if they enclose no part."""
-    return workers.submit(emptied, tuple(areas), icon, render, timeout=SECONDS, memory=MEMORY)
+    """Begin to take what an edit marks out of an icon; None if all of it is a matter of the cut."""
+    areas, holes = edit.remove, edit.inner.holes
+    return workers.submit(emptied, areas, holes, icon, render, timeout=SECONDS, memory=MEMORY)
 
 
-def emptied(areas: Sequence[Polygon], icon: Exemplar, render: Render) -> Emptied | None:
-    """Return an icon without the parts that areas within its outline enclose, if there are any.
+def emptied(
+    areas: Sequence[Polygon], holes: Sequence[Polygon], icon: Exemplar, render: Render
+) -> Emptied | None:
+    """Return an icon without what areas within its outline enclose, and with holes in plain ink.
 
-    What areas reach beyond the outline is a matter of the cut: there nothing is enclosed.
+    An area that encloses nothing but ink is such a hole, too. What areas reach beyond the outline
+    is a matter of the cut: there nothing is enclosed. So is a hole that a contour runs through, or
+    that overlaps another one.
 
     All are in canvas units. Runs in a worker process.
     """
     outline = render.outline(icon.pictogram.svg, icon.frame)
     rows = [points for points, _ in flattened(outline)]
     _, filled = placed_ink(icon, Placement(), CANVAS)
-    inside = [one for one in areas if not (fill_polygon(one) & ~filled).any()]
-    marked = [fill_polygon(one, _FINE) for one in inside]
-    gone = {n for n, row in enumerate(rows) if any(_hits(row, one).all() for one in marked)}
-    if not gone or len(gone) == len(rows):
+    inside = [_Mark.on(one, rows) for one in areas if not (fill_polygon(one) & ~filled).any()]
+    parts = [one for one in inside if one.enclosed]
+    plain: list[_Mark] = []
+    for one in (*(one for one in inside if not one.met), *(_Mark.on(one, rows) for one in holes)):
+        if one.lies_in(icon.ink) and not any((one.mask & other.mask).any() for other in plain):
+            plain.append(one)
+    gone = frozenset().union(*(one.enclosed for one in (*parts, *plain)))
+    if not plain and len(gone) in (0, len(rows)):
         return None
-    left = Path(tuple(one for n, one in enumerate(outline.contours) if n not in gone))
-    others = [row for n, row in enumerate(rows) if n not in gone]
-    done = tuple(
-        area
-        for area, mask in zip(inside, marked, strict=True)
-        if not any(_hits(row, mask).any() for row in others)
-    )
-    return Emptied(_drawn(left, icon, render), done)
+    contours = (one for number, one in enumerate(outline.contours) if number not in gone)
+    left = Path((*contours, *(_hole(one.area) for one in plain)))
+    done = (*(one for one in parts if one.met <= gone), *plain)
+    return Emptied(_drawn(left, icon, render), tuple(one.area for one in done))
+
+
+@dataclass(frozen=True, eq=False)
+class _Mark:
+    """An area that is marked on an icon, and which of its contours it meets."""
+
+    area: Polygon
+    mask: Bitmap
+    """(_FINE, _FINE): what it encloses."""
+    met: frozenset[int]
+    enclosed: frozenset[int]
+    """Those that lie in it from end to end."""
+
+    @classmethod
+    def on(cls, area: Polygon, rows: Sequence[NDArray[np.float64]]) -> "_Mark":
+        """Return an area on the contours ``rows``, points (n, 2) each."""
+        mask = fill_polygon(area, _FINE)
+        hits = [_hits(row, mask) for row in rows]
+        met, enclosed = (
+            frozenset(number for number, hit in enumerate(hits) if some(hit))
+            for some in (np.any, np.all)
+        )
+        return cls(area, mask, met, enclosed)
+
+    def lies_in(self, ink: Bitmap) -> bool:
+        """Whether it could be a hole in ink (CANVAS, CANVAS): nothing else is at its rim."""
+        whole = fill_polygon(self.area)
+        rim = whole & ~scipy.ndimage.binary_erosion(whole)
+        simple = self.met == self.enclosed and not crosses_itself(self.area)
+        return simple and bool(rim.any() and ink[rim].all())
+
+
+def _hole(area: Polygon) -> Contour:
+    """Return the contour of an area, in the direction of holes."""
+    start, *others = area.vertices
+    contour = Contour(start, tuple((point,) for point in others))
+    if Path((contour,)).area < 0:
+        return contour
+    *before, last = area.vertices
+    return Contour(last, tuple((point,) for point in reversed(before)))
 
 
 def _hits(points: NDArray[np.float64], mask: Bitmap) -> NDArray[np.bool_]:

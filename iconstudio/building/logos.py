@@ -1,8 +1,8 @@
 """Which drawings are logos of brands, though they are called as a thing is: told by eye.
 
-The collection is built without the logos that names, categories and looks tell (``building``). Of
+The collection is built without the logos that names, categories and looks tell (``selection``). Of
 what is left under the names that sets of logos have, these are logos: an apple with a bite taken,
-the compass of a browser. Who looks for the thing does not mean them.
+the compass of a browser. Who looks for the thing does not mean them, so they are left out, too.
 """
 
 from collections.abc import Mapping

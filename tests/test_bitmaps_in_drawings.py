@@ -1,0 +1,99 @@
+"""Drawings that show nothing but a bitmap are read as that bitmap."""
+
+import base64
+import io
+from urllib.parse import quote_from_bytes
+
+import numpy as np
+import pytest
+from PIL import Image, ImageDraw
+
+from iconstudio.model import IconstudioError
+from iconstudio.svg.bitmaps import only_bitmap
+
+HOUSE = [(100, 20), (180, 90), (150, 90), (150, 170), (50, 170), (50, 90), (20, 90)]
+
+
+def house(kind="PNG"):
+    image = Image.new("RGB", (200, 200), "white")
+    ImageDraw.Draw(image).polygon(HOUSE, fill=(30, 60, 120))
+    stream = io.BytesIO()
+    image.save(stream, kind)
+    return stream.getvalue()
+
+
+def in_base64(data, kind="png"):
+    return f"data:image/{kind};base64,{base64.b64encode(data).decode()}"
+
+
+def svg(content):
+    return (
+        '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
+        f' viewBox="0 0 200 200">{content}</svg>'
+    )
+
+
+PNG, JPEG = in_base64(house()), in_base64(house("JPEG"), "jpeg")
+IMAGE = f'<image width="200" height="200" href="{PNG}"/>'
+DRAWINGS = {
+    "image": IMAGE,
+    "by an old attribute": IMAGE.replace("href", "xlink:href"),
+    "JPEG": IMAGE.replace(PNG, JPEG),
+    "without base64": IMAGE.replace(PNG, f"data:image/png,{quote_from_bytes(house())}"),
+    "in a pattern": '<pattern id="p" width="1" height="1"><use href="#i"/></pattern>'
+    '<rect width="200" height="200" fill="url(#p)"/>'
+    + IMAGE.replace("<image", '<image id="i"').join(("<defs>", "</defs>")),
+    "twice": IMAGE + IMAGE,
+}
+
+
+@pytest.mark.parametrize("kind", DRAWINGS)
+def test_a_drawing_of_a_bitmap_is_that_bitmap(session, tmp_path, kind):
+    (tmp_path / "plain.png").write_bytes(house())
+    (tmp_path / "drawing.svg").write_text(svg(DRAWINGS[kind]))
+    expected = session.exemplar(session.icon(str(tmp_path / "plain.png")))
+    found = session.icon(str(tmp_path / "drawing.svg"))
+    ink = session.exemplar(found).ink
+    assert (ink & expected.ink).sum() / (ink | expected.ink).sum() > 0.98
+    assert found.remarks[0] == "All that it shows is a bitmap, which was traced."
+    assert found.credit.title == "drawing.svg"
+
+
+def test_what_is_drawn_beside_a_bitmap_is_the_drawing(session, tmp_path):
+    path = tmp_path / "drawing.svg"
+    path.write_text(svg(f'{IMAGE}<path d="M10 180h180v10H10z"/>'))
+    assert session.icon(str(path)).remarks == (
+        "A bitmap was left out. Trace it, or open it as a picture.",
+    )
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (IMAGE + IMAGE.replace(PNG, JPEG), "A bitmap was left out"),
+        (f'<g display="none">{IMAGE}</g>', "nothing to be seen"),
+        (IMAGE.replace(PNG, "data:image/png;base64,iVBORw0KGgo="), "drawing.svg.*damaged"),
+        (IMAGE.replace(PNG, "house.png"), "in another file"),
+    ],
+    ids=["two", "hidden", "damaged", "elsewhere"],
+)
+def test_others_are_refused_with_what_to_do(session, tmp_path, content, said):
+    path = tmp_path / "drawing.svg"
+    path.write_text(svg(content))
+    with pytest.raises(IconstudioError, match=said):
+        session.icon(str(path))
+
+
+def test_the_artwork_of_a_drawing_of_a_bitmap_is_its_pixels(session, tmp_path):
+    from iconstudio.reading import returned
+
+    path = tmp_path / "drawing.svg"
+    path.write_text(svg(IMAGE))
+    separation = returned(session.artwork(path))
+    decoded = np.asarray(Image.open(io.BytesIO(separation.photo.data)).convert("RGB"))
+    assert np.array_equal(decoded, np.asarray(Image.open(io.BytesIO(house()))))
+
+
+@pytest.mark.parametrize("address", ["", "a.png", "data:image/png;base64,A", "data:text/plain,a"])
+def test_what_is_no_bitmap_here(address):
+    assert only_bitmap([address] if address else []) is None
