@@ -64,7 +64,8 @@ def punch_holes(picture: NDArray[np.float32]) -> Mask | None:
             if holes and _is_bare(pieces, holes, axis, far_side):
                 wide = 1 + round(_AROUND * max(d for *_, d in holes))
                 mask = np.isin(pieces, [number for number, *_ in holes])
-                return scipy.ndimage.binary_dilation(mask, iterations=wide)
+                around: NDArray[np.bool_] = scipy.ndimage.binary_dilation(mask, iterations=wide)
+                return around
     return None
 
 

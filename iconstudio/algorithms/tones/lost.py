@@ -3,7 +3,7 @@
 Neighbours that differ little are one shape in a pictogram, and so are two of paper that do not
 differ strikingly. What is lost by that, as the folds of a map, the facets of a gem or a highlight,
 is told: where even colours meet, sharply and along some way, and no ink ends near by. Colours that
-go over into each other by degrees make no edge, nor does what is narrow along an edge that is kept.
+go over into each other by degrees make no edge, nor do the steps of a gradient of few pixels.
 """
 
 import numpy as np
@@ -18,10 +18,12 @@ _LEAP = 1.5
 """How much a channel of CIELAB differs within three pixels at an edge, at least."""
 _SEEN = 3.0
 """Difference (CIEDE2000) of even colours that is seen where they meet."""
-_SHARP = 3.0
+_SHARP = 6.0
 """Half the width, in pixels of 512 to a side, of a sharp edge at most."""
 _NEAR = 6
 """Pixels on either side of where ink ends in which an edge is kept."""
+_WIDE = 10
+"""Pixels around the middle of what is wide; what is narrower belongs to what is beside it."""
 _LONG = 0.15
 """How long a lost edge is that is told, as part of the size of the drawing."""
 
@@ -35,7 +37,7 @@ def loses_edges(lab: NDArray[np.float32], found: Regions, tones: Tones, ink: Mas
     from skimage.color import deltaE_ciede2000
 
     inside = found.labels > 0
-    even = even_pieces(lab, inside, _LEAP)
+    even = _wide(even_pieces(lab, inside, _LEAP))
     pure = even > 0
     if not pure.any():
         return False
@@ -59,3 +61,12 @@ def loses_edges(lab: NDArray[np.float32], found: Regions, tones: Tones, ink: Mas
     pieces, _ = scipy.ndimage.label(maximum_filter(lost, 3), np.ones((3, 3)))
     longest = np.bincount(pieces[lost]).max()
     return bool(longest > _LONG * np.sqrt(inside.sum()))
+
+
+def _wide(pieces: NDArray[np.intp]) -> NDArray[np.intp]:
+    """Return pieces without those that are narrow everywhere."""
+    depth = scipy.ndimage.distance_transform_edt(minimum_filter(pieces, 3) > 0)
+    widest = np.zeros(pieces.max() + 1)
+    np.maximum.at(widest, pieces, depth)
+    widest[0] = 0
+    return np.where(widest[pieces] > _WIDE, pieces, 0)
