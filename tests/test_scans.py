@@ -181,7 +181,7 @@ def test_small_dots_that_are_left_out_are_told(session, tmp_path, radius, told):
         draw.ellipse([500 - radius, 250 - radius, 500 + radius, 250 + radius], fill="black")
     path = tmp_path / "ring.png"
     picture.save(path)
-    assert any("Specks" in remark for remark in session.icon(str(path)).remarks) == told
+    assert any("specks" in remark for remark in session.icon(str(path)).remarks) == told
 
 
 @pytest.mark.parametrize("colour", ["white", "black", "#123456"])

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from iconstudio.algorithms.scanning.binarisation import Scan, ink_of, recognised
-from iconstudio.algorithms.scanning.doubts import dots
+from iconstudio.algorithms.scanning.doubts import dots, writing
 from iconstudio.algorithms.scanning.thickening import thickened
 from iconstudio.algorithms.tracing.potrace import traced
 from iconstudio.images.pillow import CUT_SHORT, DAMAGED
@@ -37,8 +37,8 @@ _FAINTER = (
     "choose the threshold in the window."
 )
 _DOTS = (
-    "Specks of a few pixels were left out. If they are dots of the drawing, draw them larger, or "
-    "crop the picture to the drawing."
+    "Small parts, such as specks or small writing, were left out. If they belong to the drawing, "
+    "draw them larger, or crop the picture to it."
 )
 _THIN = 1.5
 """Canvas units that the thickest lines must measure."""
@@ -149,7 +149,8 @@ def _trace(scan: Scan, threshold: int | None) -> tuple[Outline, tuple[int, int],
     """Return the outline, height and width, and whether lines were too thin, and dots too small."""
     ink = ink_of(scan, threshold)
     seen = scan.at(scan.threshold if threshold is None else threshold)
-    dotted = bool(dots(seen & ~ink).any())
+    small = seen & ~ink
+    dotted = bool(dots(small).any() or writing(small).any())
     thick = thickened(ink, round(_THIN * max(ink.shape) / CANVAS))
     height, width = thick.shape
     return traced(thick), (height, width), thick is not ink, dotted

@@ -9,9 +9,11 @@ THIN = "Its lines are too thin to be seen at the size of an icon; they were draw
 OMITTED = {
     Omission.TILE: "The ground behind the drawing, such as a tile, was left out.",
     Omission.PAGE: "The white, or nearly white, behind the drawing was left out.",
-    Omission.SHADES: "Neighbouring shades that differ little were drawn as one.",
+    Omission.SHADES: "Some neighbouring shades or colours were drawn as one.",
     Omission.FAINT: "Parts that are hardly opaque, such as shadows, were left out.",
     Omission.DESK: "What lies around the sheet of paper was left out.",
+    Omission.HOLES: "The punch holes of the sheet were left out.",
+    Omission.FINGER: "A finger at the edge of the photo was left out.",
     Omission.PRINT: "The lines or dots that the paper is printed with were left out.",
     Omission.GLOW: "The glow around the drawing was left out.",
     Omission.SHADOW: "The shadow of the drawing was left out.",

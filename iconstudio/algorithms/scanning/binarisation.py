@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.extremes import maximum_filter, minimum_filter
 from iconstudio.algorithms.scanning.behind import left_behind
 from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
+from iconstudio.algorithms.scanning.covered import covered
 from iconstudio.algorithms.scanning.darkness import darkness, ground_of, seen_through
 from iconstudio.algorithms.scanning.dithering import without_dithering
 from iconstudio.algorithms.scanning.doubts import (
@@ -30,12 +31,14 @@ from iconstudio.algorithms.scanning.doubts import (
 )
 from iconstudio.algorithms.scanning.enlarged import at_own_resolution
 from iconstudio.algorithms.scanning.faint_lines import faint_lines, is_clean, with_faint_lines
+from iconstudio.algorithms.scanning.finger import finger
 from iconstudio.algorithms.scanning.flat import flat_drawing
 from iconstudio.algorithms.scanning.free import LARGE, free_drawing, on_nothing
 from iconstudio.algorithms.scanning.margin import box_of, rim_of, with_margin, without_half_lines
 from iconstudio.algorithms.scanning.noise import without_noise
 from iconstudio.algorithms.scanning.paper import trend
 from iconstudio.algorithms.scanning.printed import without_print
+from iconstudio.algorithms.scanning.punched import punch_holes
 from iconstudio.algorithms.scanning.repeated import unrepeated
 from iconstudio.algorithms.scanning.resampling import (
     COARSE,
@@ -191,6 +194,19 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     pixels = at_own_resolution(without_dithering(in_squares(unrepeated(pixels))))
     if is_noise(pixels):
         return replace(scanned(pixels, inverted), found=False)
+    left_out: frozenset[Omission] = frozenset()
+    if pixels.shape[2] == 3 and not inverted:
+        for what, find in ((Omission.FINGER, finger), (Omission.HOLES, punch_holes)):
+            small = shrunk(pixels, _step(pixels))
+            over = find(small)
+            if over is not None:
+                pixels = covered(pixels, small, over)
+                left_out |= {what}
+    found = _recognised(pixels, inverted)
+    return replace(found, omissions=found.omissions | left_out)
+
+
+def _recognised(pixels: NDArray[np.uint8], inverted: bool | None) -> Scan:
     opaque = pixels.shape[2] == 3
     if opaque and not inverted:
         blank = without_print(pixels)

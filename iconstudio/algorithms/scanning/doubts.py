@@ -15,6 +15,8 @@ SPOT = 8
 """Most pixels of what is dirt, however thin the lines are."""
 _GRAIN = 3
 """Most pixels of what is no dot, whoever made it."""
+_LETTERS, _SEVERAL = 5, 4
+"""Half the width in pixels of the gaps between letters, and how many are writing, at least."""
 _ROUND, _OBLONG = 0.65, 1.5
 """How much of its bounding box a dot fills at least, and how oblong that is at most."""
 _AS_WIDE, _AS_DARK = 0.8, 0.85
@@ -188,6 +190,17 @@ def dots(shape: NDArray[np.bool_], speck: int = _GRAIN) -> NDArray[np.bool_]:
         spot = spots[box] == number
         if spot.mean() > _ROUND and max(spot.shape) < _OBLONG * min(spot.shape):
             found[box] |= spot
+    return found
+
+
+def writing(shape: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return what of a shape (h, w) are small parts, several side by side, as letters are."""
+    parts = without_specks(shape, 1)
+    lines, _ = scipy.ndimage.label(maximum_filter(parts, 2 * _LETTERS + 1))
+    numbers, _ = scipy.ndimage.label(parts, np.ones((3, 3)))
+    of_each = np.unique(np.stack([lines[parts], numbers[parts]]), axis=1)[0]
+    several = np.bincount(of_each, minlength=lines.max() + 1) >= _SEVERAL
+    found: NDArray[np.bool_] = parts & several[lines]
     return found
 
 

@@ -33,7 +33,7 @@ SPARSE = 0.6
 """How much of its bounding box a drawing in lines fills at most."""
 _CLEAN = 0.9
 """How much of what has the colour of a ground has just that, if no camera saw it."""
-_APART, _PART = 30.0, 0.015
+_APART, _PART = 15.0, 0.015
 """Levels by which two colours of a drawing differ, and the least part that the second one has."""
 
 

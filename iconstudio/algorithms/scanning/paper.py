@@ -6,6 +6,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.quadratic import quadratic
 from iconstudio.algorithms.scanning.sheet import sheet_on_desk
 
 _EDGE = 1 / 30
@@ -154,7 +155,7 @@ def _steep(picture: NDArray[np.float32]) -> NDArray[np.bool_]:
 
 def trend(picture: NDArray[np.float32], valid: NDArray[np.bool_]) -> NDArray[np.float32]:
     """Return (h, w, 3) what the edge of the sheet alone lets expect of the paper's colour."""
-    return _quadratic(picture, _edge(valid))
+    return quadratic(picture, _edge(valid))
 
 
 def _edge(valid: NDArray[np.bool_]) -> NDArray[np.bool_]:
@@ -163,21 +164,9 @@ def _edge(valid: NDArray[np.bool_]) -> NDArray[np.bool_]:
     return edge
 
 
-def _quadratic(picture: NDArray[np.float32], paper: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Return (h, w, 3): the quadratic surface closest to the colours of the paper."""
-    height, width = paper.shape
-    y, x = np.mgrid[-1 : 1 : height * 1j, -1 : 1 : width * 1j]
-    terms = np.stack([np.ones_like(x), x, y, x * x, x * y, y * y], axis=-1).astype(np.float32)
-    # Every few pixels will do.
-    some = np.flatnonzero(paper)[:: max(1, int(paper.sum()) // 20000)]
-    fit, *_ = np.linalg.lstsq(terms.reshape(-1, 6)[some], picture.reshape(-1, 3)[some], rcond=None)
-    surface: NDArray[np.float32] = np.clip(terms @ fit, 0, 1.2)
-    return surface
-
-
 def _surface(picture: NDArray[np.float32], paper: NDArray[np.bool_]) -> NDArray[np.float32]:
     """Return (h, w, 3): the trend of the paper, and what differs from it near by."""
-    surface = _quadratic(picture, paper)
+    surface = quadratic(picture, paper)
     known = paper[..., None].astype(np.float32)
     lit: NDArray[np.float32] = surface + _filled((picture - surface) * known, known)
     return np.clip(lit, 0, None)

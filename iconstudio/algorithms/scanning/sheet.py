@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.ground import unevenness
 from iconstudio.algorithms.scanning.margin import rim_of
+from iconstudio.algorithms.scanning.note import note_on_desk
 from iconstudio.algorithms.scanning.quadrangle import quadrangularity
 from iconstudio.algorithms.scanning.sides import sheet_by_its_sides
 
@@ -60,6 +61,8 @@ def photographed_sheet(picture: NDArray[np.float32]) -> NDArray[np.bool_] | None
     if min(picture.shape[:2]) < _FEWEST or _is_of_one_colour(rim_of(picture)):
         return None
     sheet = sheet_on_desk(picture)
+    if sheet is None:
+        sheet = note_on_desk(picture)
     if sheet is None:
         return None
     paper = sheet & (picture.mean(axis=2) > np.median(picture[sheet]) * (1 - _SHADE))

@@ -17,12 +17,14 @@ class Omission(Enum):
 
     TILE = "the tile behind the drawing"
     PAGE = "the white behind the drawing"
-    SHADES = "shades of a colour that is all there is"
+    SHADES = "edges between shades or colours that are drawn as one"
     FAINT = "what is less than half as opaque as the drawing"
     GLOW = "what shines around the drawing, and fades"
     SHADOW = "the flat shadow of a figure on its tile"
     DECORATION = "colour behind or beside the lines of a drawing"
     DESK = "what lies around the sheet that is drawn upon"
+    HOLES = "the punch holes of a sheet"
+    FINGER = "a finger at the edge of a photo"
     PRINT = "the lines or dots that the paper is printed with"
 
 

@@ -136,7 +136,7 @@ def regions(
     """
     pure = inside
     if cores is None:
-        cores = _cores(lab, inside, leap)
+        cores = even_pieces(lab, inside, leap)
         pure = cores > 0
         hairlines = _hairlines(lab, inside, cores, nearest(pure))
         cores = np.where(hairlines > 0, hairlines + cores.max(), cores)
@@ -186,7 +186,7 @@ def cielab(rgb: NDArray[np.uint8]) -> NDArray[np.float32]:
     return lab[number].reshape(rgb.shape)
 
 
-def _cores(lab: NDArray[np.float32], inside: Mask, leap: float) -> NDArray[np.intp]:
+def even_pieces(lab: NDArray[np.float32], inside: Mask, leap: float) -> NDArray[np.intp]:
     """Number the pieces of even colour; 0 at edges and outside."""
     even = inside.copy()
     for channel in np.moveaxis(lab, 2, 0):

@@ -11,8 +11,8 @@ differ, as long as a person sees it:
 
 Where some sides are told apart, and there is nothing but sides, all that differ so are.
 
-Other shades are left out, and told. A pale line that goes all around paper, and pale marks that lie
-free on white, are told from it in any flat drawing.
+Other shades are left out, and told (``lost``). A pale line that goes all around paper, and pale
+marks that lie free on white, are told from it in any flat drawing.
 """
 
 from dataclasses import replace
@@ -43,38 +43,34 @@ _BESIDE, _ALONG = 10, 0.25
 """Pixels beside the contour, and how much of the contour of shadows is there."""
 _SIDES = 8.0
 """How much the lit side of a thing differs from the dark one; shadows and gloss differ by less."""
-_SIZE, _LOST = 0.01, 0.6
-"""How much of the drawing figures have that are told of, and how much of their contour is lost."""
 _LARGE = 0.1
-"""How much of the drawing each of two sides has that are told of."""
+"""How much of the drawing each of its sides has."""
 _ASIDE = 0.12
 """How far from the middle, as part of the size, a highlight is."""
 
 
-def shades(
-    rgb: NDArray[np.uint8], inside: Mask, found: Regions, smallest: float
-) -> tuple[Regions, bool]:
-    """Return the regions (k + 1,) of a drawing, and whether shades of them are not told apart."""
+def shades(rgb: NDArray[np.uint8], inside: Mask, found: Regions, smallest: float) -> Regions:
+    """Return the regions (k + 1,) of a drawing, of which some shades may be told apart."""
     alone = not (found.lengths[1:, 1:] > 0).any()
     flat = _is_flat(rgb, inside)
     if flat and not alone:
         closer = regions(cielab(rgb), inside, _SIDES, smallest, leap=_LEAP)
         if len(closer.areas) > len(found.areas) and _is_all_sides(closer):
-            return closer, False
+            return closer
     if not (alone or _has_pale_rim(found) or (flat and found.white.any())):
-        return found, _hides_shapes(found, rgb, inside, smallest)
+        return found
     least, size = (_SLIGHT, smallest) if flat else (_FLOWING, _BROAD * inside.sum())
     closer = regions(cielab(rgb), inside, least, size, leap=_LEAP)
     more = len(closer.areas) - len(found.areas)
     if not more or (not flat and _flow_together(closer)):
-        return found, False
+        return found
     if _has_pale_line(closer) and (alone or more <= _FEW):
-        return closer, False
+        return closer
     if not alone:
-        return (_with_marks(found, closer) if flat else found), False
+        return _with_marks(found, closer) if flat else found
     with_white = closer.white.any() and not closer.white[1:].all()
     told = with_white or _sides(closer) or _figures(closer)
-    return (closer, False) if told else (found, True)
+    return closer if told else found
 
 
 def _flow_together(found: Regions) -> bool:
@@ -160,27 +156,6 @@ def _figures(found: Regions) -> bool:
     size = np.sqrt(inside.sum())
     aside = abs(np.subtract(*middles)) / size
     return bool(aside.min() < _ASIDE)
-
-
-def _hides_shapes(found: Regions, rgb: NDArray[np.uint8], inside: Mask, smallest: float) -> bool:
-    """Whether regions are one that differ as sides do, and are large, or figures of some size."""
-    closer = regions(cielab(rgb), inside, _SIDES, smallest, leap=_LEAP)
-    count = len(closer.areas)
-    if count == len(found.areas):
-        return False
-    home = np.zeros(count, np.intp)
-    pure = closer.pure & (closer.labels > 0)
-    home[closer.labels[pure]] = found.labels[pure]
-    whole = np.zeros(len(found.areas))
-    np.add.at(whole, home, closer.areas)
-    figure = (closer.lengths[0] == 0) & (closer.areas < whole[home] / 2)
-    figure &= closer.areas > _SIZE * closer.areas[1:].sum()
-    within = (home == home[:, None]) & (closer.lengths > 0)
-    lost = within & (closer.contrasts > _SIDES)
-    lost_around = np.where(lost, closer.lengths, 0).sum(axis=1)
-    large = closer.areas > _LARGE * closer.areas[1:].sum()
-    sides = lost & large & large[:, None]
-    return bool((figure & (lost_around > _LOST * closer.around)).any() or sides.any())
 
 
 def _middle(mask: Mask) -> NDArray[np.float64]:

@@ -47,6 +47,7 @@ from iconstudio.algorithms.tones.duotone import dark_is_ink, separated, two_tone
 from iconstudio.algorithms.tones.glow import without_glow
 from iconstudio.algorithms.tones.layers import without_faint
 from iconstudio.algorithms.tones.linework import line_drawing, outline
+from iconstudio.algorithms.tones.lost import loses_edges
 from iconstudio.algorithms.tones.regions import STRIKING, Mask, Regions, cielab, nearest
 from iconstudio.algorithms.tones.separation import LINE, blend, separating
 from iconstudio.algorithms.tones.shades import shades
@@ -153,7 +154,7 @@ def _in_colours(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask) -
     if lit is not None:
         share, omissions = _in_colours(*lit, inside)
         return _Share(share, omissions | {Omission.SHADOW})
-    found, hidden = shades(rgb, inside, divided, SMALLEST)
+    found = shades(rgb, inside, divided, SMALLEST)
     tones = _tones(found)
     soft = np.ones(inside.shape, np.float32)
     drawn, rim = separating(rgb, found, tones.lines), _rim(found, tones.outlined)
@@ -165,8 +166,8 @@ def _in_colours(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask) -
     if lines.any():  # beside which nothing is a detail
         at_lines = _repeated(maximum_filter(lines, 5) > 0, len(rgba))
         soft = np.where(at_lines, plain, soft)
-    omissions = tones.omissions | ({Omission.SHADES} if hidden else set())
-    return _Share(soft, omissions)
+    lost = loses_edges(cielab(rgb), found, tones, soft > 0.5)
+    return _Share(soft, tones.omissions | ({Omission.SHADES} if lost else set()))
 
 
 def _with_details(
