@@ -110,7 +110,9 @@ def in_a_deep_shadow(sheet, random):
     y, x = np.mgrid[: sheet.shape[0], : sheet.shape[1]]
     shadow = 1 - 0.65 / (1 + np.exp(-(x + 0.3 * y - 0.6 * sheet.shape[1]) / 20))
     light = _grey((1 - 0.8 * sheet) * shadow)
-    return _pixels(light + random.normal(0, 0.01, light.shape))  # a camera's; without, it is painted
+    return _pixels(
+        light + random.normal(0, 0.01, light.shape)
+    )  # a camera's; without, it is painted
 
 
 def on_an_even_desk(sheet, random):

@@ -9,7 +9,7 @@ import pytest
 from PIL import Image, ImageDraw
 
 from iconstudio.model import IconstudioError
-from iconstudio.svg.bitmaps import only_bitmap
+from iconstudio.svg.bitmaps import file_of
 
 HOUSE = [(100, 20), (180, 90), (150, 90), (150, 170), (50, 170), (50, 90), (20, 90)]
 
@@ -43,7 +43,9 @@ DRAWINGS = {
     "in a pattern": '<pattern id="p" width="1" height="1"><use href="#i"/></pattern>'
     '<rect width="200" height="200" fill="url(#p)"/>'
     + IMAGE.replace("<image", '<image id="i"').join(("<defs>", "</defs>")),
-    "twice": IMAGE + IMAGE,
+    "larger, elsewhere": f'<g transform="matrix(2 0 0 3 9 9)">{IMAGE}</g>',
+    "on a white page": f'<rect width="200" height="200" fill="#fff"/>{IMAGE}',
+    "on a page of a colour": f'<rect width="100%" height="100%" fill="#fd8"/>{IMAGE}',
 }
 
 
@@ -71,13 +73,30 @@ def test_what_is_drawn_beside_a_bitmap_is_the_drawing(session, tmp_path):
     ("content", "said"),
     [
         (IMAGE + IMAGE.replace(PNG, JPEG), "A bitmap was left out"),
+        (IMAGE + IMAGE, "A bitmap was left out"),
+        (f'<g transform="rotate(90 100 100)">{IMAGE}</g>', "A bitmap was left out"),
+        (f'<g transform="matrix(-1 0 0 1 200 0)">{IMAGE}</g>', "A bitmap was left out"),
+        (f'<g style="clip-path:circle(50px)">{IMAGE}</g>', "A bitmap was left out"),
+        (IMAGE.replace("<image", '<image preserveAspectRatio="none"'), "A bitmap was left out"),
+        (f'<rect width="200" height="200" fill="red"/>{IMAGE}{IMAGE}', "A bitmap was left out"),
         (f'<g display="none">{IMAGE}</g>', "nothing to be seen"),
         (IMAGE.replace(PNG, "data:image/png;base64,iVBORw0KGgo="), "drawing.svg.*damaged"),
         (IMAGE.replace(PNG, "house.png"), "in another file"),
     ],
-    ids=["two", "hidden", "damaged", "elsewhere"],
+    ids=[
+        "two",
+        "twice",
+        "turned",
+        "mirrored",
+        "cut",
+        "stretched",
+        "two on a page",
+        "hidden",
+        "damaged",
+        "elsewhere",
+    ],
 )
-def test_others_are_refused_with_what_to_do(session, tmp_path, content, said):
+def test_what_is_not_one_whole_bitmap_is_refused(session, tmp_path, content, said):
     path = tmp_path / "drawing.svg"
     path.write_text(svg(content))
     with pytest.raises(IconstudioError, match=said):
@@ -96,4 +115,4 @@ def test_the_artwork_of_a_drawing_of_a_bitmap_is_its_pixels(session, tmp_path):
 
 @pytest.mark.parametrize("address", ["", "a.png", "data:image/png;base64,A", "data:text/plain,a"])
 def test_what_is_no_bitmap_here(address):
-    assert only_bitmap([address] if address else []) is None
+    assert file_of(address) is None

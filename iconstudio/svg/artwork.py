@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from scipy import ndimage
 
 from iconstudio.model import CANVAS, BitmapError, Frame, IconstudioError
-from iconstudio.svg.bitmaps import only_bitmap
+from iconstudio.svg.bitmaps import file_of
 from iconstudio.svg.bounds import union
 from iconstudio.svg.credits import metadata
 from iconstudio.svg.decode import decode
@@ -60,7 +60,7 @@ def artwork(
     remarks = [*drawing.remarks, *said]
     if drawing.bounds is None or not max(drawing.bounds[2:]):
         why = " ".join(["There is nothing to be seen in it.", *remarks])
-        bitmap = only_bitmap(drawing.bitmaps)
+        bitmap = file_of(drawing.bitmap)
         raise IconstudioError(why) if bitmap is None else BitmapError(why, bitmap)
     page = drawing.page or drawing.bounds
     content, matrix = brought_near(drawing.content, page, drawing.bounds)

@@ -3,21 +3,95 @@
 import base64
 import binascii
 import re
-from collections.abc import Iterable
+import xml.etree.ElementTree as ET
+from collections.abc import Iterator, Mapping
 from urllib.parse import unquote_to_bytes
 
+from iconstudio.svg.bounds import bounds
+from iconstudio.svg.geometry import SHAPES
+from iconstudio.svg.lengths import Box, transform
+
 _ADDRESS = re.compile(r"\s*data:image/[\w.+-]+(?:;[\w=.-]+)*?(;base64)?,", re.IGNORECASE)
+_CHANGES = ("clip-path", "mask", "filter", "transform-origin", "rotate", "scale")
+_DEFINITIONS = ("defs", "symbol", "clipPath", "mask", "pattern", "marker", "filter")
+_PATTERN = re.compile(r"url\(#([^)]*)\)")
+_BOX = re.compile(r"m[\s\d.,+-]*(?:[hv][\s\d.+-]*){3,4}z?", re.IGNORECASE)
+_NOT_UNDERSTOOD = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+_MOST = 10_000
+"""Elements that are looked at, as often as they are repeated."""
+_MISSED = 0.02
+"""Part of the page by which a page that is drawn may miss its sides."""
 
 
-def only_bitmap(addresses: Iterable[str]) -> bytes | None:
-    """Return the file of the one bitmap that is shown; None if there is none, or several.
+def whole_bitmaps(root: ET.Element, ids: Mapping[str, ET.Element]) -> list[str]:
+    """Return the addresses of the bitmaps that a document shows, once for each place.
 
-    ``addresses`` are those of all images; one that is shown several times is one.
+    Of one that is not shown as it is, but turned, cut or stretched, say, it is empty.
     """
-    addresses = {one.strip() for one in addresses}
-    if len(addresses) != 1:
-        return None
-    (address,) = addresses
+    return list(_shown(root, ids, True, iter(range(_MOST))))
+
+
+def _shown(
+    element: ET.Element, ids: Mapping[str, ET.Element], whole: bool, budget: Iterator[int]
+) -> Iterator[str]:
+    if element.get("display") == "none" or next(budget, None) is None:
+        return
+    a, b, c, d, *_ = transform(element.get("transform")) or _NOT_UNDERSTOOD
+    whole = whole and b == c == 0 < min(a, d) and not any(one in element.attrib for one in _CHANGES)
+    if element.tag == "image":
+        aspect = element.get("preserveAspectRatio", "")
+        yield element.get("href", "") if whole and not re.search("none|slice", aspect) else ""
+    elif element.tag == "use":
+        target = ids.get(element.get("href", "#")[1:])
+        if target is not None:
+            yield from _shown(target, ids, whole, budget)
+    elif element.tag in SHAPES:
+        match = _PATTERN.match(element.get("fill", ""))
+        pattern = ids.get(match[1]) if match else None
+        is_plain = (
+            element.tag == "rect" and "rx" not in element.attrib and "ry" not in element.attrib
+        )
+        for child in () if pattern is None or pattern.tag != "pattern" else pattern:
+            yield from _shown(child, ids, whole and is_plain, budget)
+    else:
+        for child in element:
+            if child.tag not in _DEFINITIONS:
+                yield from _shown(child, ids, whole, budget)
+
+
+def is_page(root: ET.Element, page: Box | None, ids: Mapping[str, ET.Element]) -> bool:
+    """Whether each shape of a document covers its page, and nothing else: there is no drawing."""
+    if page is None:
+        return False
+    reach = _MISSED * max(page[2:])
+    shapes = list(_shapes(root))
+    boxes = [bounds(one, page, ids) for one in shapes if one.tag == "rect" or _is_box(one)]
+    return len(boxes) == len(shapes) and all(
+        box is not None
+        and box[0] <= page[0] + reach
+        and box[1] <= page[1] + reach
+        and box[0] + box[2] >= page[0] + page[2] - reach
+        and box[1] + box[3] >= page[1] + page[3] - reach
+        for box in boxes
+    )
+
+
+def _shapes(element: ET.Element) -> Iterator[ET.Element]:
+    """Yield what is drawn."""
+    if element.tag in (*SHAPES, "text"):
+        yield element
+    elif element.tag not in _DEFINITIONS and element.get("display") != "none":
+        for child in element:
+            yield from _shapes(child)
+
+
+def _is_box(element: ET.Element) -> bool:
+    """Whether a path goes along four sides, across and down, as those of pages do."""
+    return _BOX.fullmatch(element.get("d", "").strip()) is not None
+
+
+def file_of(address: str) -> bytes | None:
+    """Return the file that the address of an image holds; None if it holds none."""
     match = _ADDRESS.match(address)
     if match is None:
         return None

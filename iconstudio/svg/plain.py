@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from iconstudio.svg import references, shadows, sprites
 from iconstudio.svg.animation import as_one, finish
+from iconstudio.svg.bitmaps import is_page, whole_bitmaps
 from iconstudio.svg.bounds import bounds
 from iconstudio.svg.check import MAX_DEPTH, check
 from iconstudio.svg.clipping import clip
@@ -21,6 +22,7 @@ from iconstudio.svg.lengths import IDENTITY, Box, Matrix, numbers, pixels, writt
 from iconstudio.svg.lettering import TEXTS, set_type
 from iconstudio.svg.mark import ATTRIBUTE, PAGE
 from iconstudio.svg.pathdata import cut_off_mistakes
+from iconstudio.svg.percentages import write_out
 from iconstudio.svg.placing import place
 from iconstudio.svg.repeats import as_groups
 from iconstudio.svg.scribbles import refuse_scribbles
@@ -81,8 +83,8 @@ class Plain:
     """What could not be read, in sentences."""
     marked: bool
     """Whether it says that it was made plain and black here."""
-    bitmaps: tuple[str, ...] = ()
-    """The addresses of bitmaps that would be seen, and were left out."""
+    bitmap: str = ""
+    """The address of the one bitmap that would be seen, as it is, if there is just one."""
 
 
 def plain(
@@ -137,7 +139,8 @@ def plain(
     remarks += leave_out_distortions(kept)
     bound_octaves(kept)
     remarks += cut_off_mistakes(kept)
-    bitmaps = tuple(one.get("href", "") for one in kept if one.tag == "image")
+    seen = any(one.tag == "image" for one in kept)
+    bitmaps = whole_bitmaps(root, ids) if seen else []
     remarks += _without_unknown(root, kept)
     texts = tuple(_texts(kept))
     references.prune(root, kept)
@@ -146,22 +149,25 @@ def plain(
     refuse_scribbles(kept)
     remarks += place(root, page, ids)
     as_groups(root, page, ids)
+    for child in root:
+        write_out(child, page or (0.0, 0.0, 100.0, 100.0))
     keep_strokes(root, page)
     remarks += clip(root, page, ids)
     remarks += letters_beyond(root, page, ids)
     _without_contexts(root, False)
     set_type(root)
+    is_bitmap = bool(bitmaps) and is_page(root, page, ids)
     content = _content(root, stretch)
     return Plain(
         content,
         page,
-        bounds(content, page or (0, 0, 100, 100), ids, painted=True),
+        None if is_bitmap else bounds(content, page or (0, 0, 100, 100), ids, painted=True),
         texts,
         any(one.tag in ("filter", "pattern") or "blur" in one.get("filter", "") for one in kept)
         or sum(one.tag in ("mask", "clipPath") for one in kept) > _MANY,
         tuple(as_one(remarks)),
         marked,
-        bitmaps,
+        bitmaps[0] if len(bitmaps) == 1 else "",
     )
 
 

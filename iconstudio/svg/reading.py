@@ -17,7 +17,7 @@ from iconstudio.model import BitmapError, Credit, IconstudioError, Pictogram, Sp
 from iconstudio.model.pictogram import OWN
 from iconstudio.svg import credits
 from iconstudio.svg.animation import moves
-from iconstudio.svg.bitmaps import only_bitmap
+from iconstudio.svg.bitmaps import file_of
 from iconstudio.svg.decode import MAX_BYTES, decode
 from iconstudio.svg.markup import markup_of
 from iconstudio.svg.parse import parse
@@ -194,7 +194,7 @@ def _read(
     try:
         svg, remarks = in_black(drawing, rdf)
     except EmptyError as error:
-        if (bitmap := only_bitmap(drawing.bitmaps)) is not None:
+        if (bitmap := file_of(drawing.bitmap)) is not None:
             raise BitmapError(str(error), bitmap) from None
         if not moves(markup):
             raise

@@ -8,7 +8,6 @@ import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 
 from iconstudio.svg.bounds import bounds
-from iconstudio.svg.geometry import SHAPES
 from iconstudio.svg.lengths import (
     IDENTITY,
     Box,
@@ -17,9 +16,9 @@ from iconstudio.svg.lengths import (
     multiplied,
     numbers,
     transform,
-    whole_of,
     written,
 )
+from iconstudio.svg.percentages import write_out
 
 _VIEWPORTS = ("svg", "symbol")
 _DEFINITIONS = (
@@ -28,10 +27,6 @@ _DEFINITIONS = (
 )  # fmt: skip
 _OF_USES = ("href", "x", "y", "width", "height")
 _OF_VIEWPORTS = ("viewBox", "preserveAspectRatio", "overflow", "x", "y", "width", "height")
-_LENGTHS = (
-    "x", "y", "x1", "y1", "x2", "y2", "cx", "cy", "r", "rx", "ry", "width", "height", "dx", "dy",
-    "stroke-width", "stroke-dashoffset",
-)  # fmt: skip
 _HOLDERS = ("defs", "symbol")
 _EFFECTS = ("clip-path", "mask", "filter")
 _REACH = 0.001
@@ -124,7 +119,7 @@ class _Repeats:
         _set_matrix(element, outer)
         _set_matrix(group, inner)
         for child in group:
-            _measure(child, within)
+            write_out(child, within)
             self._turn(child, within)
         if width <= 0 or height <= 0:
             element.set("display", "none")
@@ -219,19 +214,6 @@ def _fitted(box: Box, size: tuple[float, float], aspect: str) -> Matrix:
     down = 0 if "YMin" in words[0] else 1 if "YMax" in words[0] else 0.5
     left, top = (size[0] - box[2] * x) * across, (size[1] - box[3] * y) * down
     return x, 0.0, 0.0, y, left - box[0] * x, top - box[1] * y
-
-
-def _measure(element: ET.Element, page: Box) -> None:
-    """Write out the percentages of what is within a viewport, in place."""
-    if element.tag in _DEFINITIONS:
-        return
-    if element.tag in (*SHAPES, "text", "tspan", "use", "svg", "g"):
-        for name in _LENGTHS:
-            if element.get(name, "").strip().endswith("%"):
-                element.set(name, f"{length(element.get(name), whole_of(name, page)):.9g}")
-    if element.tag != "svg":  # which measures what is within itself
-        for child in element:
-            _measure(child, page)
 
 
 def _sticks_out(group: ET.Element, view: Box, ids: Mapping[str, ET.Element]) -> bool:

@@ -33,6 +33,8 @@ _SHEEN = 0.5
 _FEW = 400
 """Characters of the outline of such a shape at most."""
 
+_BESIDE_FILL = 0.1
+"""A stroke around a fill is no line if it is narrower than this part of the thinnest stroke."""
 _DEFINITIONS = ("clipPath", "mask", "marker", "pattern")
 """What is measured by itself, or by what it serves."""
 
@@ -101,6 +103,9 @@ def _thicken(
     scale = scale_of(matrix)
     if own.stroke != "none" and own.width > 0:
         if own.width * scale >= least or not scale:
+            return False
+        is_filled = own.fill != "none" and not fills
+        if is_filled and (own.fill == own.stroke or own.width * scale < _BESIDE_FILL * least):
             return False
         element.attrib.pop("stroke-dasharray", None)
         width = least
