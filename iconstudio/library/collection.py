@@ -2,6 +2,7 @@
 
 import logging
 import os
+import re
 import sqlite3
 import threading
 from collections.abc import Callable, Generator, Iterable
@@ -222,11 +223,10 @@ class Collection:
     def remark(self, keyword: str) -> str:
         """Return how a keyword was read where not as typed, and what is near, or finds more."""
         answer = self._answer(keyword)
-        numbers = {word for word in answer.left_out if word.isdigit()}
-        style = Style(frozenset(numbers))
-        found = self._lookup.identifiers(answer.scores) if numbers else {}
-        if any(style.distance(identifier) == 0 for identifier in found.values()):
-            answer = replace(answer, left_out=tuple(w for w in answer.left_out if w not in numbers))
+        found = self._lookup.identifiers(answer.scores) if answer.left_out else {}
+        borne = {part for one in found.values() for part in re.split("[:-]", one)}
+        left_out = tuple(w for w in answer.left_out if w not in borne or is_negated((w,)))
+        answer = replace(answer, left_out=left_out)
         name, count = _name(keyword), len(answer.scores)
         wider = self._lookup.wider(name, 0 if answer.left_out else count)
         if answer and symbols.is_flag(keyword.strip()):

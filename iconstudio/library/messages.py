@@ -13,7 +13,7 @@ ENGLISH = (
 )
 FORBIDDING = "Signs of what is forbidden, or switched off, are left out."
 FLAGS = "Flags of countries are left out: in one colour, they are not told apart."
-NO_SIGNS = "the collection has no signs of what is forbidden, or switched off."
+NO_SIGNS = "the collection has hardly any signs of what is forbidden, or switched off."
 ALL_WORDS = "No icon has all of these words"
 _LONGEST = 60
 """Most characters of a keyword that a message repeats."""

@@ -10,8 +10,9 @@ from iconstudio.model.errors import IconstudioError
 Point = tuple[float, float]
 
 
-SLIMMEST = 0.02
-"""Least width of a polygon that is remixed, as a part of its length: some 4 of 224 pixels."""
+SLIMMEST = 0.04
+"""Least width of a polygon that is remixed, as a part of its length: some 9 of 224 pixels.
+Slimmer ones hold hardly a crumb of an icon."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,6 +31,12 @@ _TARGETS: Mapping[str, tuple[str, ...]] = {
     "textPath": ("path",),
 }
 """Which elements the ``href`` of each may name."""
+_UNREAD = {
+    "meshgradient": "A mesh gradient",
+    "meshGradient": "A mesh gradient",
+    "hatch": "A hatching",
+}
+_IN_PLACE = "#808080"
 _URL = re.compile(r"url\(\s*[\"']?([^)\"']*)[\"']?\s*\)\s*(.*)", re.DOTALL)
 _EACH_URL = re.compile(r"url\(\s*[\"']?([^)\"']*)[\"']?\s*\)")
 _OWN_URL = re.compile(r"url\(#([^)]*)\)")
@@ -67,12 +73,24 @@ def resolve(
         found = next((one for one in ids.get(address[1:], ()) if one.tag in kinds), None)
         return None if found is None else named.setdefault(found, f"r{len(named)}")
 
-    missing = [(one, sentence) for one in root.iter() for sentence in _missing(one, ids)]
+    missing = [(one, sentence) for one in root.iter() for sentence in _unread(one, ids)]
+    missing += [(one, sentence) for one in root.iter() for sentence in _missing(one, ids)]
     for element in root.iter():
         _resolve(element, name_of)
     for element, name in named.items():
         element.set("id", name)
     return {name: element for element, name in named.items()}, remarks, missing
+
+
+def _unread(element: ET.Element, ids: Ids) -> Iterator[str]:
+    """Let a plain colour stand for paints of Inkscape's; yield what to say of each."""
+    for attribute in ("fill", "stroke"):
+        match = _URL.match(element.get(attribute, ""))
+        named = ids.get(match[1].strip()[1:], ()) if match else ()
+        paint = next((_UNREAD[one.tag] for one in named if one.tag in _UNREAD), None)
+        if paint is not None:
+            element.set(attribute, _IN_PLACE)
+            yield f"{paint} was not read; what it paints was drawn in one colour."
 
 
 def _missing(element: ET.Element, ids: Ids) -> Iterator[str]:

@@ -172,7 +172,7 @@ def test_links_in_a_circle_are_no_crash(tmp_path):
 
 def test_slim_is_said_to_be_slim(tmp_path):
     pole = [[0, 0], [2000, 0], [2000, 12], [0, 12]]
-    with pytest.raises(IconstudioError, match="too slim: it is not even 2% as wide"):
+    with pytest.raises(IconstudioError, match="too slim: it is not even 4% as wide"):
         read_sketch(saved(tmp_path, {"polygon": pole})).sketch.polygon.fitted()
     slanting = [[0, 0], [1000, 1000], [1005, 995], [5, -5]]
     with pytest.raises(IconstudioError, match="too slim"):

@@ -39,6 +39,10 @@ from iconstudio.library.words import query
         ("\U0001f1e9", ""),
         ("\U0001f3fb", ""),
         ("!?", ""),
+        ("IconHome", "home"),
+        ("ArrowLeftIcon", "arrowleft"),
+        ("Iconic", "iconic"),
+        ("Icon", "icon"),
     ],
 )
 def test_plain(typed, words):

@@ -469,3 +469,8 @@ def test_words_find_what_names_call_otherwise(bundled, typed, named):
     found = ids(bundled, typed)
     assert sum(re.search(named, name) is not None for name in found[:3]) >= min(2, len(found))
     assert not bundled.remark(typed)
+
+
+@pytest.mark.parametrize("keyword", ["usb c", "USB-C", "bi-house-fill", "home 3"])
+def test_of_no_word_that_icons_found_bear_it_is_said_that_it_was_left_out(bundled, keyword):
+    assert "left out" not in bundled.remark(keyword)

@@ -375,6 +375,14 @@ SAID = {
         svg(f'<path fill="none" stroke="#000" stroke-width=".02" d="{ROOF}"/>'),
         "too thin",
     ),
+    "mesh as a paint": (
+        svg(f'<defs><meshgradient id="m"/></defs>{PATH}<path fill="url(#m)" d="M0 0h2v2H0z"/>'),
+        "A mesh gradient was not read; what it paints was drawn in one colour.",
+    ),
+    "hatch as a paint": (
+        svg(f'<defs><hatch id="m"/></defs>{PATH}<path fill="url(#m) none" d="M0 0h2v2H0z"/>'),
+        "A hatching was not read; what it paints was drawn in one colour.",
+    ),
     "mesh": (svg(f'<defs/><meshgradient id="m"/>{PATH}'), "A mesh gradient was left out"),
 }
 

@@ -44,6 +44,8 @@ _ALONE = {
     "=": "equal", "?": "question mark", "!": "exclamation mark",
 }  # fmt: skip
 """Signs that are looked for on their own."""
+_COMPONENT = re.compile(r"^Icon(?=[A-Z])|(?<=[a-z0-9])Icon$")
+"""What code adds to the names of icons: *IconHome*, *HomeIcon*."""
 _LONGEST = 24
 """Most letters of a word that is taken for several."""
 _PARTS = 3
@@ -64,7 +66,7 @@ _FACING = {"facing", "right"}
 
 def plain(keyword: str) -> str:
     """Return the words of a keyword in lower case, without accents, joined by spaces."""
-    spoken = "".join(map(_joining, symbols.spoken(keyword)))
+    spoken = "".join(map(_joining, symbols.spoken(_COMPONENT.sub("", keyword.strip()))))
     if named := _ALONE.get(spoken.strip()):
         return named
     bare = "".join(
