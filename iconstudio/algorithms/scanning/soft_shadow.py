@@ -34,9 +34,9 @@ _FADED = 0.5
 """How dark it is where it meets the ground at most, as part of how dark it is elsewhere."""
 _DEEPEST, _AMISS = 0.65, 0.1
 """How dark a shadow is at most; how much darker or brighter than is told of it."""
-_SHARP, _BROAD = 0.55, 9
-"""How much of what the contour of a drawing differs by within so many pixels it does within three:
-that of one that is blurred itself does by less."""
+_SHARP, _BROAD, _SOMEWHERE = 0.6, 9, 80
+"""How much of what the contour of a drawing differs by within so many pixels it does within three,
+where it is sharp: in so many per cent of one that is blurred itself it does by less."""
 _FAR = 0.3
 """How far a shadow is shifted at most, as part of the longer side."""
 _DENSE = 0.12, 1.0
@@ -101,10 +101,12 @@ def soft_shadow(
 
 
 def _is_sharp(levels: NDArray[np.float32], drawn: Mask) -> bool:
-    """Whether a drawing has a sharp contour."""
+    """Whether a drawing has a sharp contour, here and there at least."""
     contour = drawn & ~scipy.ndimage.binary_erosion(drawn, np.ones((3, 3)), border_value=1)
     within, across = (unevenness(levels, size)[contour] for size in (3, _BROAD))
-    return bool(contour.any() and np.median(within / np.maximum(across, 1)) > _SHARP)
+    if not contour.any():
+        return False
+    return bool(np.percentile(within / np.maximum(across, 1), _SOMEWHERE) > _SHARP)
 
 
 def _ways(levels: NDArray[np.float32], dark: Mask, depth: NDArray[np.float32]) -> Iterator[Mask]:
