@@ -8,12 +8,11 @@ from collections.abc import Iterator, Mapping
 from urllib.parse import unquote_to_bytes
 
 from iconstudio.svg.bounds import bounds
-from iconstudio.svg.geometry import SHAPES
+from iconstudio.svg.geometry import DEFINITIONS, SHAPES
 from iconstudio.svg.lengths import Box, transform
 
 _ADDRESS = re.compile(r"\s*data:image/[\w.+-]+(?:;[\w=.-]+)*?(;base64)?,", re.IGNORECASE)
 _CHANGES = ("clip-path", "mask", "filter", "transform-origin", "rotate", "scale")
-_DEFINITIONS = ("defs", "symbol", "clipPath", "mask", "pattern", "marker", "filter")
 _PATTERN = re.compile(r"url\(#([^)]*)\)")
 _BOX = re.compile(r"m[\s\d.,+-]*(?:[hv][\s\d.+-]*){3,4}z?", re.IGNORECASE)
 _NOT_UNDERSTOOD = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
@@ -55,7 +54,7 @@ def _shown(
             yield from _shown(child, ids, whole and is_plain, budget)
     else:
         for child in element:
-            if child.tag not in _DEFINITIONS:
+            if child.tag not in DEFINITIONS:
                 yield from _shown(child, ids, whole, budget)
 
 
@@ -80,7 +79,7 @@ def _shapes(element: ET.Element) -> Iterator[ET.Element]:
     """Yield what is drawn."""
     if element.tag in (*SHAPES, "text"):
         yield element
-    elif element.tag not in _DEFINITIONS and element.get("display") != "none":
+    elif element.tag not in DEFINITIONS and element.get("display") != "none":
         for child in element:
             yield from _shapes(child)
 

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 from iconstudio.svg.check import MAX_DEPTH
-from iconstudio.svg.geometry import SHAPES, data_bounds, path_data
+from iconstudio.svg.geometry import DEFINITIONS, SHAPES, data_bounds, path_data
 from iconstudio.svg.lengths import (
     IDENTITY,
     Box,
@@ -70,10 +70,6 @@ class _Paint(NamedTuple):
         return not self.only_painted or stroked or (self.filled and box[2] > 0 and box[3] > 0)
 
 
-_UNDRAWN = (
-    "defs", "symbol", "clipPath", "mask", "pattern", "marker", "linearGradient", "radialGradient",
-    "filter",
-)  # fmt: skip
 _MITRE = 2
 """Widths of a stroke that the corner of a letter may reach beyond its outline."""
 
@@ -114,7 +110,7 @@ def _collect(
         else:
             _collect(target, matrix, paint, page, ids, add, depth + 1)
         return
-    if element.tag in _UNDRAWN:
+    if element.tag in DEFINITIONS:
         return
     if element.tag == "svg" and depth:
         corner = length(element.get("x"), page[2]), length(element.get("y"), page[3])
@@ -131,9 +127,17 @@ def viewport(element: ET.Element, page: Box, size: tuple[str | None, str | None]
     if len(box) != 4 or box[2] <= 0 or box[3] <= 0:
         return IDENTITY
     width, height = length(size[0], page[2], page[2]), length(size[1], page[3], page[3])
-    x, y = width / box[2], height / box[3]
-    if element.get("preserveAspectRatio", "").strip() != "none":
-        x = y = max(x, y) if "slice" in element.get("preserveAspectRatio", "") else min(x, y)
-    # In the middle, whatever the alignment: near enough for what bounds are for.
-    left, top = (width - box[2] * x) / 2, (height - box[3] * y) / 2
-    return x, 0, 0, y, left - box[0] * x, top - box[1] * y
+    view = box[0], box[1], box[2], box[3]
+    return fitted(view, (width, height), element.get("preserveAspectRatio", ""))
+
+
+def fitted(box: Box, size: tuple[float, float], aspect: str) -> Matrix:
+    """Return what maps a ``viewBox`` to a viewport at the origin."""
+    x, y = size[0] / box[2], size[1] / box[3]
+    words = aspect.replace("defer", "").split() or ["xMidYMid"]
+    if words[0] != "none":
+        x = y = max(x, y) if "slice" in words else min(x, y)
+    across = 0 if "xMin" in words[0] else 1 if "xMax" in words[0] else 0.5
+    down = 0 if "YMin" in words[0] else 1 if "YMax" in words[0] else 0.5
+    left, top = (size[0] - box[2] * x) * across, (size[1] - box[3] * y) * down
+    return x, 0.0, 0.0, y, left - box[0] * x, top - box[1] * y

@@ -28,6 +28,11 @@ from iconstudio.svg.lengths import (
     numbers,
 )
 
+DEFINITIONS = (
+    "defs", "symbol", "clipPath", "mask", "pattern", "marker", "linearGradient", "radialGradient",
+    "filter",
+)  # fmt: skip
+"""Elements that show nothing where they stand."""
 SHAPES = ("path", "rect", "circle", "ellipse", "line", "polyline", "polygon")
 _STEPS = 24
 """Into which curves are divided."""

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from iconstudio.model import CANVAS, IconstudioError
 from iconstudio.svg.check import MAX_EXPANSION
-from iconstudio.svg.geometry import SHAPES, moved, path_data
+from iconstudio.svg.geometry import DEFINITIONS, SHAPES, moved, path_data
 from iconstudio.svg.lengths import (
     IDENTITY,
     Box,
@@ -35,10 +35,6 @@ _BETWEEN = 100.0
 """By how much more a group's unit may differ, which those within make up for."""
 _FAR = 100.0 * CANVAS
 """Canvas units that the origin may lie away."""
-_DEFINITIONS = (
-    "defs", "symbol", "clipPath", "mask", "pattern", "marker", "linearGradient", "radialGradient",
-    "filter",
-)  # fmt: skip
 _OF_SHAPES = (
     "d", "x", "y", "x1", "y1", "x2", "y2", "cx", "cy", "r", "rx", "ry", "width", "height", "points",
 )  # fmt: skip
@@ -113,7 +109,7 @@ class _Mover:
             return _is_usual(matrix)
         if not _is_usual(matrix, _BETWEEN):
             return False
-        return all(self.is_near(one, matrix) for one in element if one.tag not in _DEFINITIONS)
+        return all(self.is_near(one, matrix) for one in element if one.tag not in DEFINITIONS)
 
     def all_of(self, content: ET.Element, matrix: Matrix) -> ET.Element:
         """Return a content in coordinates of the canvas, to which the matrix leads."""
@@ -156,7 +152,7 @@ class _Mover:
             new.append(inner)
 
     def _shown(self, element: ET.Element, space: _Space) -> list[ET.Element]:
-        return [self._moved(one, space) for one in element if one.tag not in _DEFINITIONS]
+        return [self._moved(one, space) for one in element if one.tag not in DEFINITIONS]
 
     def _copy(self, element: ET.Element, near: Matrix) -> ET.Element:
         """Return an element without children, which refers to what is near, too."""

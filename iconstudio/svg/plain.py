@@ -147,15 +147,7 @@ def plain(
     # Before anything follows its references.
     check(ET.tostring(root, encoding="unicode"), MAX_DEPTH)
     refuse_scribbles(kept)
-    remarks += place(root, page, ids)
-    as_groups(root, page, ids)
-    for child in root:
-        write_out(child, page or (0.0, 0.0, 100.0, 100.0))
-    keep_strokes(root, page)
-    remarks += clip(root, page, ids)
-    remarks += letters_beyond(root, page, ids)
-    _without_contexts(root, False)
-    set_type(root)
+    remarks += _measure(root, page, ids)
     is_bitmap = bool(bitmaps) and is_page(root, page, ids)
     content = _content(root, stretch)
     return Plain(
@@ -169,6 +161,20 @@ def plain(
         marked,
         bitmaps[0] if len(bitmaps) == 1 else "",
     )
+
+
+def _measure(root: ET.Element, page: Box | None, ids: dict[str, ET.Element]) -> list[str]:
+    """Say where everything is by numbers and matrices, in place; return what was not understood."""
+    remarks = place(root, page, ids)
+    as_groups(root, page, ids)
+    for child in root:
+        write_out(child, page or (0.0, 0.0, 100.0, 100.0))
+    keep_strokes(root, page)
+    remarks += clip(root, page, ids)
+    remarks += letters_beyond(root, page, ids)
+    _without_contexts(root, False)
+    set_type(root)
+    return remarks
 
 
 def _page(root: ET.Element) -> tuple[Box | None, Matrix]:

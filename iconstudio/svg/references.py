@@ -8,7 +8,7 @@ import re
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Iterator, Mapping
 
-from iconstudio.svg.geometry import SHAPES
+from iconstudio.svg.geometry import DEFINITIONS, SHAPES
 
 GRADIENTS = ("linearGradient", "radialGradient")
 _KINDS: Mapping[str, tuple[str, ...]] = {
@@ -219,18 +219,13 @@ def drawn(root: ET.Element, ids: Mapping[str, ET.Element]) -> set[ET.Element]:
     return found
 
 
-_DEFINITIONS = (
-    "defs", "symbol", "clipPath", "mask", "pattern", "marker", *GRADIENTS, "filter",
-)  # fmt: skip
-
-
 def _children(element: ET.Element) -> list[ET.Element]:
     """Return the children that are drawn, or used, with an element."""
     if element.tag == "defs":
         return []
     if element.tag == "switch":
         return [child for child in element if _eligible(child)][:1]
-    return [child for child in element if child.tag not in _DEFINITIONS and _is_english(child)]
+    return [child for child in element if child.tag not in DEFINITIONS and _is_english(child)]
 
 
 def _is_english(child: ET.Element) -> bool:
@@ -256,5 +251,5 @@ def prune(root: ET.Element, kept: set[ET.Element]) -> None:
             element.attrib.pop("systemLanguage", None)  # the renderer knows no language
         if element not in kept and not len(element):
             root.remove(element)
-        elif element not in kept and element.tag not in _DEFINITIONS:
+        elif element not in kept and element.tag not in DEFINITIONS:
             element.set("display", "none")  # it only holds what others show

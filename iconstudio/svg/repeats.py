@@ -7,7 +7,8 @@ import copy
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 
-from iconstudio.svg.bounds import bounds
+from iconstudio.svg.bounds import bounds, fitted
+from iconstudio.svg.geometry import DEFINITIONS
 from iconstudio.svg.lengths import (
     IDENTITY,
     Box,
@@ -21,10 +22,6 @@ from iconstudio.svg.lengths import (
 from iconstudio.svg.percentages import write_out
 
 _VIEWPORTS = ("svg", "symbol")
-_DEFINITIONS = (
-    "defs", "symbol", "clipPath", "mask", "pattern", "marker", "linearGradient", "radialGradient",
-    "filter", "style",
-)  # fmt: skip
 _OF_USES = ("href", "x", "y", "width", "height")
 _OF_VIEWPORTS = ("viewBox", "preserveAspectRatio", "overflow", "x", "y", "width", "height")
 _HOLDERS = ("defs", "symbol")
@@ -76,7 +73,7 @@ class _Repeats:
     def _turn_definitions(self, element: ET.Element, page: Box) -> None:
         """Turn what is defined in an element, and is not only there to be repeated."""
         for child in element:
-            turn = self._turn if child.tag in _DEFINITIONS else self._turn_definitions
+            turn = self._turn if child.tag in DEFINITIONS else self._turn_definitions
             turn(child, page)
 
     def _repeat(self, use: ET.Element, page: Box) -> None:
@@ -109,7 +106,7 @@ class _Repeats:
         inner, within = IDENTITY, (0.0, 0.0, width, height)
         if len(box) == 4 and box[2] > 0 and box[3] > 0:
             within = box[0], box[1], box[2], box[3]
-            inner = _fitted(within, (width, height), element.get("preserveAspectRatio", ""))
+            inner = fitted(within, (width, height), element.get("preserveAspectRatio", ""))
         for name in _OF_VIEWPORTS:
             element.attrib.pop(name, None)
         element.tag = "g"
@@ -176,10 +173,10 @@ def _clear(element: ET.Element, needed: set[str], spare: bool) -> None:
         if child.get("id") in needed:
             continue
         unseen = element.tag in _HOLDERS or spare
-        _clear(child, needed, unseen and child.tag not in _DEFINITIONS)
-        if unseen and child.tag not in _DEFINITIONS and not len(child):
+        _clear(child, needed, unseen and child.tag not in DEFINITIONS)
+        if unseen and child.tag not in DEFINITIONS and not len(child):
             element.remove(child)
-        elif (unseen and child.tag not in _DEFINITIONS) or child.tag == "symbol":
+        elif (unseen and child.tag not in DEFINITIONS) or child.tag == "symbol":
             child.tag = "defs"
 
 
@@ -191,7 +188,7 @@ def _copy(element: ET.Element) -> ET.Element:
     """Return a copy of what is drawn of an element, which nothing refers to."""
     own = copy.copy(element)
     own.attrib = {name: value for name, value in element.attrib.items() if name != "id"}
-    own[:] = [_copy(child) for child in element if child.tag not in _DEFINITIONS]
+    own[:] = [_copy(child) for child in element if child.tag not in DEFINITIONS]
     return own
 
 
@@ -202,18 +199,6 @@ def _place(element: ET.Element, names: tuple[str, ...]) -> dict[str, str]:
 
 def _corner(place: Mapping[str, str], page: Box) -> tuple[float, float]:
     return length(place.get("x"), page[2]), length(place.get("y"), page[3])
-
-
-def _fitted(box: Box, size: tuple[float, float], aspect: str) -> Matrix:
-    """Return what maps a ``viewBox`` to a viewport at the origin."""
-    x, y = size[0] / box[2], size[1] / box[3]
-    words = aspect.replace("defer", "").split() or ["xMidYMid"]
-    if words[0] != "none":
-        x = y = max(x, y) if "slice" in words else min(x, y)
-    across = 0 if "xMin" in words[0] else 1 if "xMax" in words[0] else 0.5
-    down = 0 if "YMin" in words[0] else 1 if "YMax" in words[0] else 0.5
-    left, top = (size[0] - box[2] * x) * across, (size[1] - box[3] * y) * down
-    return x, 0.0, 0.0, y, left - box[0] * x, top - box[1] * y
 
 
 def _sticks_out(group: ET.Element, view: Box, ids: Mapping[str, ET.Element]) -> bool:

@@ -10,7 +10,7 @@ from iconstudio.algorithms.areas import Cap, Join
 from iconstudio.model import CANVAS, Frame
 from iconstudio.model.path import Path
 from iconstudio.svg.bounds import viewport
-from iconstudio.svg.geometry import SHAPES, outline, path_data
+from iconstudio.svg.geometry import DEFINITIONS, SHAPES, outline, path_data
 from iconstudio.svg.lengths import (
     IDENTITY,
     Box,
@@ -35,10 +35,6 @@ _CAPS = {"round": "round", "square": "square", "butt": "flat"}
 _JOINS = {"round": "round", "bevel": "bevel"}
 _COLOUR = re.compile(r"#([0-9a-f]{6})|rgba\((\d+),(\d+),(\d+),([\d.e-]+)\)")
 _GREY = 0.299, 0.587, 0.114
-_UNDRAWN = (
-    "defs", "symbol", "clipPath", "mask", "pattern", "marker", "linearGradient", "radialGradient",
-    "filter",
-)  # fmt: skip
 _EFFECTS = ("mask", "filter", "style", "marker-start", "marker-mid", "marker-end")
 _INITIAL = {
     "color": "#000000", "fill": "#000000", "stroke": "none", "fill-opacity": "1",
@@ -127,7 +123,7 @@ class _Painter:
         self._count = self._segments = 0
 
     def painted(self, element: ET.Element, space: _Space) -> Iterator[Shape]:
-        if element.tag in _UNDRAWN or element.get("display") == "none":
+        if element.tag in DEFINITIONS or element.get("display") == "none":
             return
         if space.depth > _DEEPEST or any(element.get(one, "none") != "none" for one in _EFFECTS):
             raise NotOfShapesError

@@ -196,11 +196,12 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
         return replace(scanned(pixels, inverted), found=False)
     left_out: frozenset[Omission] = frozenset()
     if pixels.shape[2] == 3 and not inverted:
+        small = shrunk(pixels, _step(pixels))
         for what, find in ((Omission.FINGER, finger), (Omission.HOLES, punch_holes)):
-            small = shrunk(pixels, _step(pixels))
             over = find(small)
             if over is not None:
                 pixels = covered(pixels, small, over)
+                small = shrunk(pixels, _step(pixels))
                 left_out |= {what}
     found = _recognised(pixels, inverted)
     return replace(found, omissions=found.omissions | left_out)
