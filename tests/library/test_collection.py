@@ -17,6 +17,7 @@ from iconstudio.building.selection import LICENCES
 from iconstudio.library import database
 from iconstudio.library.archive import MANIFEST, Archive
 from iconstudio.library.collection import Collection, cache_folder
+from iconstudio.library.words import query
 from iconstudio.model import IconstudioError
 from iconstudio.resources import resource
 
@@ -248,8 +249,9 @@ def test_damage_that_shows_only_in_use_is_mended(folder, tmp_path, caplog, metho
 
 def test_an_error_that_is_no_damage_is_not_hidden(folder, tmp_path, monkeypatch):
     with Collection.open(folder, tmp_path / "cache") as collection:
-        with pytest.raises(TypeError):
-            collection.search(None)
+        with monkeypatch.context() as patched, pytest.raises(ZeroDivisionError):
+            patched.setattr(query, "plain", lambda keyword: 1 / 0)
+            collection.search("dog")
         assert collection.search("dog")
 
 
