@@ -6,7 +6,7 @@ import re
 import secrets
 import stat
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from pathlib import Path
 
@@ -150,14 +150,20 @@ def write_bytes(path: Path, data: bytes) -> None:
     _writing(path, lambda: write_atomically(path, data))
 
 
-def check_writable(path: Path) -> None:
+def check_writable(path: Path, read: Iterable[str | Path | None] = ()) -> None:
     """Make sure that a file can be written, before what takes long; nothing is changed.
 
     Raises
     ------
     IconstudioError
-        If it cannot.
+        If it cannot, or is one of those that are ``read``.
     """
+    for one in read:
+        with suppress(OSError, ValueError):  # there is no such file
+            if one is not None and path.samefile(one):
+                raise IconstudioError(
+                    f"“{path}” is read, and what is made would replace it. Choose another name."
+                )
     _writing(path, lambda: replaceable(path))
 
 
@@ -166,6 +172,8 @@ def _writing(path: Path, write: Callable[[], object]) -> None:
         write()
     except OSError as error:
         reason = reason_of(error)
+        if isinstance(error, FileNotFoundError) and path.parent.is_dir():
+            reason = "that folder takes no files"
     except ValueError:  # a zero byte, or half of a surrogate pair
         reason = "no file can have such a name"
     else:

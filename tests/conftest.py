@@ -3,6 +3,7 @@
 import os
 import shutil
 import tempfile
+from collections import Counter
 
 import pytest
 from hypothesis import settings
@@ -33,8 +34,16 @@ if MISSING:
     qt_api.set_qt_api = lambda api: None
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--thorough", action="store_true", help="run the long sweeps, too")
+
+
 @pytest.hookimpl(trylast=True)
 def pytest_configure(config: pytest.Config) -> None:
+    thorough = "thorough(but=0): a long sweep; only so many of its cases run without --thorough"
+    config.addinivalue_line("markers", thorough)
+    if not PROCESS and config.args_source is not pytest.Config.ArgsSource.TESTPATHS:
+        config.option.thorough = True  # who names tests means all of them
     for name in ("pytest-qt", "_qt_logging") if MISSING else ():
         if config.pluginmanager.has_plugin(name):
             config.pluginmanager.unregister(name=name)
@@ -50,6 +59,22 @@ def pytest_ignore_collect(collection_path, config: pytest.Config) -> bool | None
     if MISSING and collection_path.parent.name == "gui":
         return collection_path.name != "test_qt_is_there.py"
     return None
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out what is thorough, unless it is asked for."""
+    if config.option.thorough:
+        return
+    cases: Counter[str] = Counter()
+    kept, left = [], []
+    for item in items:
+        function = item.nodeid.partition("[")[0]
+        mark = item.get_closest_marker("thorough")
+        is_left = mark is not None and cases[function] >= mark.kwargs.get("but", 0)
+        cases[function] += 1
+        (left if is_left else kept).append(item)
+    config.hook.pytest_deselected(items=left)
+    items[:] = kept
 
 
 @pytest.fixture(scope="session")

@@ -11,6 +11,8 @@ from PIL import Image, ImageDraw
 from iconstudio.model import IconstudioError
 from iconstudio.svg.bitmaps import file_of
 
+pytestmark = pytest.mark.thorough(but=1)
+
 HOUSE = [(100, 20), (180, 90), (150, 90), (150, 170), (50, 170), (50, 90), (20, 90)]
 
 

@@ -91,6 +91,7 @@ def digests(folder):
     return {one.name: sha256(one.read_bytes()).hexdigest() for one in sorted(folder.iterdir())}
 
 
+@pytest.mark.thorough
 def test_a_worker_is_killed_half_way_and_all_icons_are_there_once(
     tmp_path, icons, scheduler, monkeypatch, capsys
 ):

@@ -10,6 +10,8 @@ from iconstudio.model import CANVAS, Frame, Placement
 from iconstudio.svg.placed import render_placed
 from iconstudio.svg.resvg import render_coverage
 
+pytestmark = pytest.mark.thorough(but=1)
+
 N = SCALE * CANVAS
 
 

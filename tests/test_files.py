@@ -200,3 +200,9 @@ def test_what_is_rare_is_told_as_the_system_says_it():
 )
 def test_files_are_called_by_their_names_where_that_will_do(said, shown):
     assert with_names(said) == shown
+
+
+@pytest.mark.skipif(not Path("/proc/self").is_dir(), reason="needs Linux")
+def test_a_folder_that_takes_no_files_is_told_as_such():
+    with pytest.raises(IconstudioError, match="that folder takes no files"):
+        write_bytes(Path("/proc/picture.png"), b"")

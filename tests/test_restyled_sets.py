@@ -11,6 +11,8 @@ from iconstudio.algorithms.curves.restyle import prepare, restyled
 from iconstudio.algorithms.flattening import flattened
 from iconstudio.inputs.styles import named
 
+pytestmark = pytest.mark.thorough(but=1)
+
 SETS = {
     "lucide": "Shaky", "tabler": "Ink", "ph": "Clouds", "mdi": "Torn", "fa-solid": "Shaky",
     "bi": "Castle", "solar": "Nervous", "iconoir": "Wobbly", "material-symbols": "Fur",

@@ -76,6 +76,7 @@ SHOW = ("show", "lucide:house", "--png", "home.png")
 MODEL = ("model", "sketch.json", "--out", "out", "--styles", "dark", "--lambdas", "0.1")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("work", [SHOW, MODEL], ids=["show", "model"])
 def test_the_command(start, script, work):
     begin, planted = start
@@ -123,6 +124,7 @@ def test_options_of_python(start, script, options):
     assert process.returncode == 0, said
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(sys.platform != "linux", reason="looks for processes in /proc")
 def test_the_window_and_its_processes(start, script):
     begin, planted = start

@@ -43,6 +43,7 @@ def fresh():
         yield session, finished(session, SKETCH, PLAIN)
 
 
+@pytest.mark.thorough
 def test_a_run_after_many_edits_equals_a_fresh_one_to_the_byte(fresh):
     _, expected = fresh
     assert len(expected) == len(FEW)
@@ -58,6 +59,7 @@ def test_a_run_after_many_edits_equals_a_fresh_one_to_the_byte(fresh):
             assert finished(used, SKETCH, live) == expected
 
 
+@pytest.mark.thorough
 def test_what_else_is_asked_for_does_not_matter(fresh):
     """All lambda_S of the paper's row are explored, whichever are asked for."""
     (session, every), asked = fresh, FEW[1::2]

@@ -17,6 +17,8 @@ from iconstudio.svg.resvg import render_coverage
 from iconstudio.workflows.editing.file import read_edit
 from tests import scans
 
+pytestmark = pytest.mark.thorough(but=1)
+
 WORDS = ("dog", "house", "lamp", "camera", "bicycle", "tree", "key", "cup", "phone", "cloud")
 EACH = 3
 
@@ -36,6 +38,7 @@ def icons(session):
     return found
 
 
+@pytest.mark.thorough
 def test_scans_of_real_icons_become_these_icons(session, icons, tmp_path):
     off = {}
     for number, icon in enumerate(icons):

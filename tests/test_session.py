@@ -113,6 +113,7 @@ def test_what_reads_lines_is_loaded_before_they_are_read(tmp_path):
     assert {"shapely", "iconstudio.algorithms.tracing.vectorize"} <= loaded
 
 
+@pytest.mark.thorough
 def test_what_reads_lines_takes_no_time_from_the_first_icon(tmp_path, monkeypatch):
     """On a busy machine loading it took too long, and a line icon came out as its outline."""
     monkeypatch.setattr("iconstudio.session._LINES_SECONDS", 0.5)

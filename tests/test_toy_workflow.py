@@ -70,6 +70,7 @@ def test_a_workflow_without_a_workspace_declares_its_work():
         replace(MIRROR, work=None)
 
 
+@pytest.mark.thorough
 def test_its_command_tells_what_it_could_not_read(tmp_path, capsys):
     text = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h5v5z"/>{}</svg>'
     (tmp_path / "own.svg").write_text(text.format('<foreignObject width="9" height="9"/>'))

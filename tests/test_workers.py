@@ -442,6 +442,7 @@ def make_much(path):
     return bytes(300_000_000)
 
 
+@pytest.mark.thorough
 @posix
 def test_a_process_that_is_killed_while_it_answers_harms_no_other(tmp_path):
     with Workers(1) as workers:

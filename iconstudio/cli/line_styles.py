@@ -135,13 +135,13 @@ def get_ready(workers: Workers, count: int) -> None:
         wait(tasks)
 
 
-def svg_name(name: str) -> Path:
-    """Return the path of an SVG that is to be written.
+def svg_name(name: str, *read: str | None) -> Path:
+    """Return the path of an SVG that is to be written, and is none of those that are ``read``.
 
     Raises
     ------
     IconstudioError
-        If its name does not end in .svg, or it cannot be written.
+        If its name does not end in .svg, or it cannot be written, or is read.
     """
     path = Path(name)
     if path.suffix.lower() != ".svg":
@@ -149,7 +149,7 @@ def svg_name(name: str) -> Path:
             f"The icon is written as SVG, and “{path.name}” does not say so. "
             f"Call it “{path.stem or 'icon'}.svg”."
         )
-    check_writable(path)
+    check_writable(path, read)
     return path
 
 

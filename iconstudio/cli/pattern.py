@@ -108,7 +108,7 @@ def command(exemplar: str, out: str, profile: bool, **options: Any) -> None:
     if not out:
         raise IconstudioError("The name behind --out is empty. Give one.")
     path = check_name(Path(out))
-    check_writable(path)
+    check_writable(path, (exemplar, options["fill"]))
     with profiled(profile) as stopwatch, Session() as session:
         events = _reading_and_running(session, exemplar, _Asked(**options))
         write(_only(events, stopwatch), path)

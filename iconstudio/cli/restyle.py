@@ -99,7 +99,7 @@ def command(
         elif reference is not None and written:
             _restyle_file(session, Path(reference), asked, out, strokes, stopwatch)
         elif reference is not None:
-            path = line_styles.svg_name(out)
+            path = line_styles.svg_name(out, reference, style)
             icon = session.icon(reference)
             running.tell_remarks([icon])
             _tell_of_lines(session, icon)

@@ -27,7 +27,7 @@ def command(style: str | None, length: float, out: str, seed: int | None) -> Non
     from iconstudio.algorithms.curves.outline import strokes_of
 
     reference = line_styles.need_style(style)
-    path = line_styles.svg_name(out)
+    path = line_styles.svg_name(out, style)
     with Session() as session:
         learned = line_styles.style_of(reference, session)
         line_styles.get_ready(session.workers, 1)

@@ -33,7 +33,7 @@ def command(
     if sheet is not None:
         from iconstudio.output import png
 
-        png.check_name(sheet)
+        png.check_name(sheet, *exclude)
     with profiled(profile) as stopwatch, Session() as session:
         with ProgressBar() as bar:
             for step in session.open():

@@ -24,7 +24,7 @@ from iconstudio.session import Session
 def command(icon: str, picture: Path | None) -> None:
     """Say whose ICON (set:name, or the path of an SVG or a scan) is, and draw it on its canvas."""
     if picture is not None:
-        png.check_name(picture)
+        png.check_name(picture, icon)
     with Session() as session:
         pictogram = session.icon(icon)
         running.tell_remarks([pictogram])

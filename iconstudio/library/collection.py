@@ -20,7 +20,7 @@ from iconstudio.library.fingerprint import stack
 from iconstudio.library.iconify import document
 from iconstudio.library.lookup import Lookup
 from iconstudio.library.phrases import Answer
-from iconstudio.library.words import query, symbols
+from iconstudio.library.words import coded, query, symbols
 from iconstudio.library.words.decency import is_insult, is_rude
 from iconstudio.library.words.naming import is_negated, take_apart
 from iconstudio.library.words.nearness import nearest
@@ -303,7 +303,7 @@ class Collection:
         """
         spelt = list(query.identifiers(keyword, self.sets))
         meant = dict.fromkeys(self._numbers(spelt)[:1], -1)
-        if ":" in keyword:
+        if ":" in keyword or coded.names_set(keyword):
             answer = self._lookup.answer(_name(keyword))
             return replace(answer, scores=answer.scores | meant)
         found = self._lookup.answer(keyword) or Answer(meant)
@@ -332,10 +332,11 @@ class Collection:
             return found
         names, order = self._lookup.identifiers(known), found.tolist()
         said = np.array([style.distance(names[icon]) for icon in order])
-        words = np.array([len(take_apart(_name(names[icon])).words) for icon in order])
+        parts = (take_apart(_name(names[icon])).words for icon in order)
+        strange = np.array([style.strangeness(words) for words in parts])
         seen = search.seen_style(self._blackness[found], style.solid)
         ranks = np.array([known[icon] for icon in order])
-        return search.nearest_style(found, ranks, said, seen, words)
+        return search.nearest_style(found, ranks, said, seen, strange)
 
     def _nothing(self, keyword: str, excluded: bool) -> str:
         if excluded and self._answer(keyword).scores:

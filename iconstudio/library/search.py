@@ -59,16 +59,16 @@ def nearest_style(
     scores: NDArray[np.int64],
     said: NDArray[np.int64],
     seen: NDArray[np.int64],
-    words: NDArray[np.int64],
+    strange: NDArray[np.int64],
 ) -> NDArray[np.int64]:
     """Return ``icons`` in the same order but those of the nearest style first.
 
     How far each is from it, its name has ``said``; where that is ``SILENT``, it is ``seen``.
-    Of equals, that with fewer ``words`` in its name comes first: a heart before a cracked one. What
+    Of equals, the less ``strange`` names come first: a heart before a cracked one, or several. What
     is no drawing of the thing itself stays behind what is, whatever its style.
     """
     distances = np.where(said == SILENT, seen, said)
-    return icons[np.lexsort((said, words, scores, distances, scores > ITSELF))]
+    return icons[np.lexsort((said, strange, scores, distances, scores > ITSELF))]
 
 
 def seen_style(blackness: NDArray[np.uint8], solid: bool | None) -> NDArray[np.int64]:

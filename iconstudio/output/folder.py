@@ -51,23 +51,15 @@ def check_folder(path: Path) -> None:
 class Folder:
     """Writes files, each in one step; it is made with the first of them.
 
-    Parameters
-    ----------
-    kind
-        What fills it: a run removes what an earlier run of its own kind left there, and nothing
-        else, nor what was changed since.
-
     Raises
     ------
     IconstudioError
         On construction and from every method, if the folder cannot be written.
     """
 
-    def __init__(self, path: Path, kind: str) -> None:
+    def __init__(self, path: Path) -> None:
         check_folder(path)
         self._path = path
-        self._kind = kind
-        self._written: set[str] = set()
 
     def write(self, name: str, content: bytes) -> None:
         """Write a file."""
@@ -76,23 +68,10 @@ class Folder:
         except OSError as error:
             raise _unwritable(self._path, error) from None
         write_bytes(self._path / name, content)
-        self._written.add(name)
 
     def write_picture(self, name: str, picture: Image.Image) -> None:
         """Write a picture as PNG."""
         self.write(name, png.encoded(picture))
-
-    def write_report(self, report: dict[str, Any]) -> None:
-        """Write ``results.json``; what the one before lists, and this one does not, is removed."""
-        self._remove(_listed(self._path / _REPORT, self._kind) - self._written)
-        report = report | {"kind": self._kind, "files": sorted(self._written)}
-        text = json.dumps(report, indent=1, ensure_ascii=False, allow_nan=False)
-        self.write(_REPORT, text.encode())
-
-    def _remove(self, names: Iterable[str]) -> None:
-        for name in names:
-            with suppress(OSError):  # it is in nobody's way
-                (self._path / name).unlink()
 
     def write_icon(self, name: str, icon: Icon, colours: Palette | None = None) -> None:
         """Write an icon: ``NAME.svg``, ``NAME.png``; of a remix, by source ``NAME-sources.png``."""
@@ -101,6 +80,59 @@ class Folder:
         if isinstance(icon, Remix):
             code = export.colour_code_png(icon, png.SIZE // 2, colours)
             self.write(f"{name}-sources.png", code)
+
+
+class ResultsFolder(Folder):
+    """A folder with a report, ``results.json``, that lists all files of a run.
+
+    What an earlier run of the same kind left is replaced or removed; nothing else is, nor what
+    was changed since. The report is there from the first file on, so that this holds for a run
+    that was stopped, too; ``finished`` says whether all is there.
+
+    Parameters
+    ----------
+    kind
+        The workflow that fills it.
+
+    Raises
+    ------
+    IconstudioError
+        As of a folder; also if it holds results of another kind, or a file that is in the way.
+    """
+
+    def __init__(self, path: Path, kind: str) -> None:
+        super().__init__(path)
+        self._kind = kind
+        self._before = _listed(path / _REPORT, kind)
+        self._written: set[str] = set()
+
+    def write(self, name: str, content: bytes) -> None:
+        """Write a file."""
+        if name not in self._written:
+            self._check_free(name)
+            self._written.add(name)
+            self._report({"finished": False}, self._before | self._written)
+        super().write(name, content)
+
+    def write_report(self, report: dict[str, Any]) -> None:
+        """Write ``results.json``; what the one before lists, and this run has not, is removed."""
+        for name in self._before - self._written:
+            with suppress(OSError):  # it is in nobody's way
+                (self._path / name).unlink()
+        self._report(report | {"finished": True}, self._written)
+
+    def _report(self, report: dict[str, Any], files: Iterable[str]) -> None:
+        report = report | {"kind": self._kind, "files": sorted(files)}
+        text = json.dumps(report, indent=1, ensure_ascii=False, allow_nan=False)
+        super().write(_REPORT, text.encode())
+
+    def _check_free(self, name: str) -> None:
+        path = self._path / name
+        if name not in self._before and os.path.lexists(path):
+            raise IconstudioError(
+                f"“{path}” is there already, and no such run has made it as it is now. "
+                "Choose another folder, or move it."
+            )
 
 
 def _unwritable(path: Path, error: OSError) -> IconstudioError:
@@ -113,19 +145,41 @@ def _listed(report: Path, kind: str) -> set[str]:
     """Return the files beside a report of some kind that its run wrote, and nobody since.
 
     Reports of version 0.3 and before list them result by result.
+
+    Raises
+    ------
+    IconstudioError
+        If it is of another kind, or no report.
     """
+    if not os.path.lexists(report):
+        return set()
     try:
         said = json.loads(read_bytes(report, _MOST_BYTES))
-        if said.get("kind", kind) != kind:
-            return set()
+        other = said.get("kind", kind)
         names = said.get("files") or [
             result[form] for result in said["results"] for form in ("svg", "png", "sources_png")
         ]
         ours = {name for name in names if Path(name).name == name and name.endswith(_KINDS)}
         latest = report.stat().st_mtime + _SOON
-        return {name for name in ours if _changed(report.parent / name) <= latest}
-    except (IconstudioError, ValueError, RecursionError, TypeError, KeyError, AttributeError):
-        return set()  # it is no report of ours
+    except (
+        IconstudioError,
+        OSError,
+        ValueError,
+        RecursionError,
+        TypeError,
+        KeyError,
+        AttributeError,
+    ):
+        raise IconstudioError(
+            f"“{report}” is a file of yours, which would be replaced. "
+            "Choose another folder, or move it."
+        ) from None
+    if other != kind:
+        raise IconstudioError(
+            f"“{report.parent}” holds the results of “{other}”. "
+            "Choose another folder, or move that one."
+        )
+    return {name for name in ours if _changed(report.parent / name) <= latest}
 
 
 def _changed(path: Path) -> float:

@@ -8,7 +8,7 @@ from typing import Any
 from iconstudio.model import Axis, Remix
 from iconstudio.output import record
 from iconstudio.output.colours import palette
-from iconstudio.output.folder import Folder
+from iconstudio.output.folder import ResultsFolder
 from iconstudio.output.overviews import hybrids_overview
 from iconstudio.workflows.events import Event, Result
 
@@ -30,7 +30,7 @@ class HybridsReport:
     def __init__(
         self, folder: Path, keyword: str, draws: int, seed: int, symmetry: Axis | None
     ) -> None:
-        self._folder = Folder(folder, "hybrids")
+        self._folder = ResultsFolder(folder, "hybrids")
         self._keyword = keyword
         self._draws = draws
         self._seed = seed

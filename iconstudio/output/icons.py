@@ -9,7 +9,7 @@ from PIL import Image
 from iconstudio.model import Icon
 from iconstudio.output import png, record
 from iconstudio.output.figure import MUTED, Figure
-from iconstudio.output.folder import Folder
+from iconstudio.output.folder import ResultsFolder
 from iconstudio.workflows.events import Event, Result
 
 _EDGE, _GAP, _SIDE, _ACROSS = 40, 24, 240, 6
@@ -25,7 +25,7 @@ class IconsReport:
     """
 
     def __init__(self, folder: Path, name: str) -> None:
-        self._folder = Folder(folder, name)
+        self._folder = ResultsFolder(folder, name)
         self._name = name
         self._icons: list[Icon] = []
 

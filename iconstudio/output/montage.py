@@ -6,7 +6,7 @@ from pathlib import Path
 
 from iconstudio.model import Montage, Remix
 from iconstudio.output import record
-from iconstudio.output.folder import Folder
+from iconstudio.output.folder import ResultsFolder
 from iconstudio.output.overviews import montage_overview
 from iconstudio.workflows.events import Event, Result
 
@@ -23,7 +23,7 @@ class MontageReport:
     """
 
     def __init__(self, folder: Path, montage: Montage) -> None:
-        self._folder = Folder(folder, "montage")
+        self._folder = ResultsFolder(folder, "montage")
         self._montage = montage
         self._remixes: list[Remix] = []
 

@@ -60,18 +60,18 @@ def encoded(pixels: NDArray[np.uint8] | Image.Image) -> bytes:
     return file.getvalue()
 
 
-def check_name(path: Path) -> Path:
-    """Return the path of a picture that is to be written.
+def check_name(path: Path, *read: str | Path) -> Path:
+    """Return the path of a picture that is to be written, and is none of those that are ``read``.
 
     Raises
     ------
     IconstudioError
-        If its name does not end in .png, or it cannot be written.
+        If its name does not end in .png, or it cannot be written, or is read.
     """
     if path.suffix.lower() != ".png":
         raise IconstudioError(
             f"Pictures are written as PNG, and “{path.name}” does not say so. "
             f"Call it “{path.stem or 'picture'}.png”."
         )
-    check_writable(path)
+    check_writable(path, read)
     return path

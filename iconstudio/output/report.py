@@ -12,7 +12,7 @@ from iconstudio.algorithms.iconification.energy import distance_field, joining, 
 from iconstudio.algorithms.raster import interior, solid
 from iconstudio.model import CANVAS, Composite, Exemplar, Point, Remix
 from iconstudio.output import record
-from iconstudio.output.folder import Folder
+from iconstudio.output.folder import ResultsFolder
 from iconstudio.output.request import Request
 from iconstudio.output.sheet import Row, grid_sheet
 from iconstudio.workflows.events import (
@@ -43,7 +43,7 @@ class GridReport:
     def __init__(
         self, folder: Path, request: Request, lambdas: Iterable[float], *, dump: bool = False
     ) -> None:
-        self._folder = Folder(folder, "model" if request.change is None else "edit")
+        self._folder = ResultsFolder(folder, "model" if request.change is None else "edit")
         self._request = request
         self._lambdas = sorted(set(lambdas))
         self._dumping = dump

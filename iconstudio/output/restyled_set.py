@@ -76,7 +76,7 @@ class RestyledSet:
     """
 
     def __init__(self, folder: Path, name: str, members: Sequence[Member], manner: Manner) -> None:
-        self._path, self._folder = folder, Folder(folder, "restyle")
+        self._path, self._folder = folder, Folder(folder)
         self._name, self._manner = name, manner
         self._how = _digest(repr((_FORMAT, __version__, manner)).encode(errors="replace"))
         stems = file_stems({one.id: one.name for one in members})

@@ -21,6 +21,8 @@ from tests.oracles.expansion import minimise
 from tests.oracles.lattice import Lattice
 from tests.shapes import blob, problem
 
+pytestmark = pytest.mark.thorough(but=1)
+
 
 def busy_problem(seed: int = 0, count: int = 4, symmetry: Axis | None = None) -> RemixProblem:
     """Sources that differ in the middle of the canvas, with a data cost that varies smoothly."""

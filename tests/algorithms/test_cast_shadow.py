@@ -12,6 +12,8 @@ from iconstudio.algorithms.tones.cast import is_cast
 from tests import scans
 from tests.algorithms.test_tone import as_svg, rgba
 
+pytestmark = pytest.mark.thorough(but=1)
+
 TILES = {
     "tile": '<rect x="4" y="4" width="92" height="92" rx="22" {}/>',
     "disc": '<circle cx="50" cy="50" r="46" {}/>',

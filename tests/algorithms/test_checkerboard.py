@@ -13,6 +13,8 @@ from tests import scans
 from tests.algorithms.test_flat import FACE, SMILE
 from tests.algorithms.test_tone import as_svg, rgba
 
+pytestmark = pytest.mark.thorough(but=1)
+
 RING = (
     '<circle cx="50" cy="50" r="32" fill="none" stroke="#06c" stroke-width="26"/>'
     '<circle cx="50" cy="18" r="8" fill="#fc0"/>'

@@ -22,6 +22,8 @@ from tests.line_styles import (
     unit,
 )
 
+pytestmark = pytest.mark.thorough(but=1)
+
 PARAMETERS = Parameters()
 SHAPES = circle, rounded_square
 SEEDS = range(4)

@@ -14,6 +14,8 @@ from iconstudio.algorithms.curves.pyramid import pyramid, swept
 from tests.line_styles import castle, jitter, pair_of, unit
 from tests.oracles.curve_analogies import Refinement
 
+pytestmark = pytest.mark.thorough(but=1)
+
 PARAMETERS = replace(Parameters(), levels=0, epsilon=0.0, late=0.0)
 
 

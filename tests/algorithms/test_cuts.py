@@ -80,6 +80,7 @@ class Grid:
 sizes = st.tuples(st.integers(1, 7), st.integers(1, 7), st.integers(0, 2**32 - 1))
 
 
+@pytest.mark.thorough
 @settings(max_examples=600)
 @given(sizes)
 def test_a_cut_is_that_of_pymaxflow_also_from_old_flow(size):

@@ -10,6 +10,8 @@ from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.tone import SIDE
 from tests.algorithms.test_tone import amiss, ink, path, pictogram, rgba
 
+pytestmark = pytest.mark.thorough(but=1)
+
 FINE = 2 * SIDE
 """Pixels to a side of what is read from files."""
 PAGE = '<rect width="24" height="24" fill="{}"/>'

@@ -11,6 +11,8 @@ from iconstudio.algorithms.scanning.dithering import without_dithering
 from tests import scans
 from tests.algorithms.test_tone import rgba
 
+pytestmark = pytest.mark.thorough(but=1)
+
 FACE = (
     '<circle cx="16" cy="16" r="14" fill="#ffe8b8"/>'
     '<path d="M16 2a14 14 0 0 1 0 28z" fill="#e8a33c"/>'
@@ -64,6 +66,7 @@ def test_a_dithered_drawing_is_as_what_it_shows(svg, side, dithered):
     assert scans.iou(ink(np.asarray(dithered(page))), ink(np.asarray(page))) > 0.9
 
 
+@pytest.mark.thorough
 def test_it_may_be_transparent_or_large():
     page = drawn(FACE, 520)
     alpha = rgba(FACE, 520, "0 0 32 32")[..., 3] // 128 * 255

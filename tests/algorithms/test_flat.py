@@ -19,6 +19,8 @@ from tests import scans
 from tests.algorithms.test_scanning import house
 from tests.algorithms.test_tone import as_svg, pictogram, rgba
 
+pytestmark = pytest.mark.thorough(but=1)
+
 FACE = '<circle cx="50" cy="50" r="45" fill="{}"/><g fill="{}"><circle cx="34" cy="40" r="8"/>'
 SMILE = '<circle cx="66" cy="40" r="8"/><path d="M28 62a24 16 0 0 0 44 0z"/></g>'
 WALLS = '<path d="M10 48L50 8l40 40v44H10z" fill="#fd8" stroke="#222" stroke-width="6"/>'

@@ -18,6 +18,8 @@ from iconstudio.algorithms.geometry import (
 )
 from iconstudio.model import Polygon
 
+pytestmark = pytest.mark.thorough(but=1)
+
 grid = st.tuples(st.integers(0, 9), st.integers(0, 9))
 """On a small grid edges touch, overlap and run back a lot."""
 number = st.floats(0, 60).map(lambda value: round(value, 9))

@@ -9,6 +9,8 @@ from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.tone import SIDE, pictogram
 from tests.algorithms.test_tone import amiss, ink, rgba
 
+pytestmark = pytest.mark.thorough(but=1)
+
 CUP = "M5 4h14v6a7 7 0 0 1-14 0z"
 HANDLES = '<path d="M5 5H2v3a4 4 0 0 0 4 4M19 5h3v3a4 4 0 0 1-4 4M12 17v4M7 22h10"'
 CLOUD = '<path d="M7 19a4 4 0 0 1 0-8 5 5 0 0 1 9.6-1A4.5 4.5 0 0 1 17 19z"'

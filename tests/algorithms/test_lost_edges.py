@@ -11,6 +11,8 @@ from iconstudio.algorithms.tones import tone
 from iconstudio.algorithms.tones.alternation import Omission
 from tests.algorithms.test_tone import rgba
 
+pytestmark = pytest.mark.thorough(but=1)
+
 PIN = '<path d="M12 8a3 3 0 0 1 3 3c0 2-3 5-3 5s-3-3-3-5a3 3 0 0 1 3-3z" fill="{}"/>'
 MAP = '<path d="M2 6l7-3v15l-7 3z" fill="{0}"/><path d="M9 3l6 3v15l-6-3z" fill="{1}"/>'
 MAP += '<path d="M15 6l7-3v15l-7 3z" fill="{0}"/>'

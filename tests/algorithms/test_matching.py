@@ -18,6 +18,8 @@ from iconstudio.model import CANVAS, Placement, Polygon
 from tests.oracles.exhaustive import exhaustive
 from tests.shapes import blob, exemplar, regions_of
 
+pytestmark = pytest.mark.thorough(but=1)
+
 EVERYONE = range(12)
 
 

@@ -9,6 +9,8 @@ from iconstudio.algorithms.tones.alternation import Omission
 from tests import scans
 from tests.algorithms.test_scanning import house
 
+pytestmark = pytest.mark.thorough(but=1)
+
 CORNERS = {
     "whole": [(90, 50), (560, 30), (590, 440), (60, 420)],
     "past two borders": [(-60, 60), (560, 25), (600, 520), (-60, 540)],

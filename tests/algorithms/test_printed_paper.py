@@ -11,6 +11,8 @@ from iconstudio.algorithms.scanning.printed import without_print
 from iconstudio.algorithms.tones.alternation import Omission
 from tests import scans
 
+pytestmark = pytest.mark.thorough(but=1)
+
 SIZE = (640, 500)
 PAPER, BLUE, RED = (245, 242, 230), (180, 200, 235), (232, 150, 150)
 INKS = {"pen": (40, 50, 110), "pencil": (120, 118, 116)}

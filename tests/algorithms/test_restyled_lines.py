@@ -13,6 +13,8 @@ from iconstudio.inputs.styles import named
 from iconstudio.model import Line, LineStyle, StylePair
 from tests.line_styles import STYLES, circle
 
+pytestmark = pytest.mark.thorough(but=1)
+
 
 def style_of(name, **more):
     points = tuple((0.6 * z.real, 0.6 * z.imag) for z in STYLES[name]()[::2].tolist())

@@ -11,6 +11,8 @@ from iconstudio.algorithms.tracing.potrace import traced
 from iconstudio.model import IconstudioError
 from tests import scans
 
+pytestmark = pytest.mark.thorough(but=1)
+
 
 def house() -> np.ndarray:
     """Walls, a roof, a door and a chimney that floats: (SIDE, SIDE) from 0 to 1."""

@@ -49,6 +49,7 @@ def test_where_three_meet_there_are_no_specks():
     assert_alike(coloured(*shapes), layered(*shapes))
 
 
+@pytest.mark.thorough
 @settings(max_examples=15)
 @given(st.floats(5, 19), st.floats(2.5, 5), st.floats(-0.7, 0.7))
 def test_a_disc_in_front_stays_a_disc(y, radius, aside):

@@ -9,6 +9,8 @@ from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.tone import SIDE
 from tests.algorithms.test_tone import amiss, rgba
 
+pytestmark = pytest.mark.thorough(but=1)
+
 
 def drawn(body: str) -> np.ndarray:
     return rgba(body, SIDE)

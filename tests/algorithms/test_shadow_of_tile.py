@@ -13,6 +13,8 @@ from iconstudio.algorithms.tones.alternation import Omission
 from tests import scans
 from tests.algorithms.test_tone import rgba
 
+pytestmark = pytest.mark.thorough(but=1)
+
 GRADIENT = (
     '<linearGradient id="g" x2="0" y2="1"><stop stop-color="#f5553c"/><stop offset="1" '
     'stop-color="#c8145a"/></linearGradient>'

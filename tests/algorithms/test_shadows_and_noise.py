@@ -13,6 +13,8 @@ from iconstudio.algorithms.scanning.shadow import without_shadow
 from iconstudio.algorithms.tones.alternation import Omission
 from tests import scans
 
+pytestmark = pytest.mark.thorough(but=1)
+
 SIDE = 128
 
 

@@ -15,6 +15,8 @@ from iconstudio.algorithms.scanning.resampling import reconstructed
 from tests import scans
 from tests.algorithms.test_tone import as_svg, rgba
 
+pytestmark = pytest.mark.thorough(but=1)
+
 VIEW = "0 0 100 100"
 LINES = {"outlined house"}
 """Drawings that become lines of about a pixel."""

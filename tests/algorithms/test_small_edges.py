@@ -13,6 +13,8 @@ from tests import scans
 from tests.algorithms.test_small_bitmaps import bitmap, found
 from tests.algorithms.test_tone import rgba
 
+pytestmark = pytest.mark.thorough(but=1)
+
 DOOR = (
     '<path d="M21.5 3h57v94h-57z" fill="#c1694f"/>'
     '<path d="M29 10h42v6H35v20h-6zM29 56h42v5H35v9h-6zM29 77h42v5H35v9h-6z" fill="#854836"/>'

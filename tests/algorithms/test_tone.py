@@ -18,6 +18,8 @@ from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.tone import LINE, SIDE, Paints, near_white, paints
 from iconstudio.algorithms.tracing.vectorize import trace
 
+pytestmark = pytest.mark.thorough(but=1)
+
 N = SIDE
 HOUSE = "M3 21V10L12 2l9 8v11zM9 12h6v5H9zM17 2h4v3h-4z"
 ROOF_AND_CHIMNEY = "M3 21V10L12 2l9 8v11zM17 2h4v3h-4z"

@@ -13,6 +13,8 @@ from tests import scans
 from tests.algorithms.test_printed_paper import SIZE, drawn
 from tests.algorithms.test_tone import rgba
 
+pytestmark = pytest.mark.thorough(but=1)
+
 
 def mirrored(y: np.ndarray, x: np.ndarray) -> np.ndarray:
     return 0.72 + 0.28 * np.exp(-(((x - 480) / 90) ** 2) - ((y - 150) / 120) ** 2)

@@ -202,6 +202,7 @@ def polygons():
     return st.integers(0, 10**6).map(corners)
 
 
+@pytest.mark.thorough
 @settings(max_examples=40, suppress_health_check=[HealthCheck.filter_too_much])
 @given(polygons())
 def test_polygons_come_back(corners):
@@ -219,6 +220,7 @@ def test_polygons_come_back(corners):
     assert abs(outline(path) - a - along * (b - a)).min(axis=0).max() < 0.35
 
 
+@pytest.mark.thorough
 @settings(max_examples=10)
 @given(st.integers(0, 1000))
 def test_a_trace_drawn_again_agrees_with_the_coverage(seed):

@@ -6,6 +6,8 @@ import scipy
 
 from tests.algorithms.test_tone import ink, pictogram, rgba
 
+pytestmark = pytest.mark.thorough(but=1)
+
 EYES = '<circle cx="8.7" cy="8" r="3.2" fill="#fff"/><circle cx="15.3" cy="8" r="3.2" fill="#fff"/>'
 OWL = f'<ellipse cx="12" cy="13" rx="8" ry="9.5" fill="#7a4a1e"/>{EYES}'
 BELLY = '<ellipse cx="12" cy="16" rx="5.5" ry="5.5" fill="#f3dfb8"/>'

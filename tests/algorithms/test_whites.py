@@ -9,6 +9,8 @@ from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.tone import OUTLINE, SIDE, Paints, paints
 from tests.algorithms.test_tone import amiss, pictogram, rgba
 
+pytestmark = pytest.mark.thorough(but=1)
+
 BOX = "0 0 100 100"
 MOON = '<circle cx="45" cy="50" r="40" fill="{}"/>'
 DISC = '<circle cx="65" cy="42" r="34" fill="{}"/>'

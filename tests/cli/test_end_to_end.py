@@ -32,6 +32,7 @@ def report(folder):
     return json.loads((folder / "results.json").read_text("utf-8"))
 
 
+@pytest.mark.thorough
 def test_the_report_says_all(report):
     assert report["keyword"] == "fish"
     assert report["canvas"] == CANVAS

@@ -67,6 +67,7 @@ def run_and_kill(folder, name, delay, kills):
     return process.returncode, said, done
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("name", "delay"), [("hybrids", 0.0), ("hybrids", 0.5), ("hybrids", 1.2), ("montage", 0.5)]
 )

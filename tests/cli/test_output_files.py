@@ -9,7 +9,8 @@ from PIL import Image
 
 from iconstudio.cli.app import run
 from iconstudio.cli.rows import row
-from iconstudio.output.folder import Folder
+from iconstudio.model import IconstudioError
+from iconstudio.output.folder import ResultsFolder
 
 ICON = "mdi:lighthouse"
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M0 0H9V9H0Z"/></svg>'
@@ -80,7 +81,7 @@ def test_names_of_files_break_no_rows(tmp_path, capsys, name):
 
 
 def fill(path, *names, kind="hybrids"):
-    folder = Folder(path, kind)
+    folder = ResultsFolder(path, kind)
     for name in names:
         folder.write(name, b"new")
     folder.write_report({"results": []})
@@ -99,10 +100,12 @@ def test_a_second_run_removes_what_the_first_one_listed_and_nothing_else(tmp_pat
     assert there(tmp_path) == {"hybrid-03.svg", "results.json"}
 
 
-def test_another_workflow_leaves_what_is_there(tmp_path):
+def test_results_of_another_workflow_are_refused_and_left(tmp_path):
     fill(tmp_path, "hybrid-01.svg", "sheet.png")
-    fill(tmp_path, "montage.svg", kind="montage")
-    assert there(tmp_path) == {"hybrid-01.svg", "sheet.png", "montage.svg", "results.json"}
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    with pytest.raises(IconstudioError, match=r"holds the results of “hybrids”\. Choose another"):
+        fill(tmp_path, "montage.svg", kind="montage")
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
 
 
 def test_what_was_changed_since_stays(tmp_path):
@@ -111,6 +114,26 @@ def test_what_was_changed_since_stays(tmp_path):
     os.utime(tmp_path / "hybrid-02.svg", (later, later))
     fill(tmp_path, "hybrid-03.svg")
     assert there(tmp_path) == {"hybrid-02.svg", "hybrid-03.svg", "results.json"}
+
+
+@pytest.mark.parametrize("name", ["hybrid-01.svg", "sheet.png"])
+def test_a_file_of_a_users_own_is_never_replaced(tmp_path, name):
+    fill(tmp_path, "hybrid-02.svg")
+    (tmp_path / name).write_text("mine")
+    with pytest.raises(IconstudioError, match="is there already"):
+        fill(tmp_path, "hybrid-02.svg", name)
+    assert (tmp_path / name).read_text() == "mine"
+
+
+def test_a_run_that_was_stopped_can_be_run_again(tmp_path):
+    fill(tmp_path, "hybrid-01.svg", "hybrid-02.svg")
+    stopped = ResultsFolder(tmp_path, "hybrids")
+    stopped.write("hybrid-03.svg", b"half")
+    report = json.loads((tmp_path / "results.json").read_text("utf-8"))
+    assert not report["finished"] and "hybrid-03.svg" in report["files"]
+    fill(tmp_path, "hybrid-03.svg")
+    assert there(tmp_path) == {"hybrid-03.svg", "results.json"}
+    assert (tmp_path / "hybrid-03.svg").read_bytes() == b"new"
 
 
 def test_reports_of_earlier_versions_list_their_results(tmp_path):
@@ -122,16 +145,24 @@ def test_reports_of_earlier_versions_list_their_results(tmp_path):
     assert there(tmp_path) == {"dark-1.svg", "dark-2.svg", "results.json"}
 
 
+FOREIGN = [{"files": [7]}, {"results": 7}, {"results": [7]}, {"a": 1}, [], "[" * 9999, "mine"]
+
+
+@pytest.mark.parametrize("report", FOREIGN)
+def test_a_report_that_is_none_of_ours_is_not_replaced(tmp_path, report):
+    text = report if isinstance(report, str) else json.dumps(report)
+    (tmp_path / "results.json").write_text(text, "utf-8")
+    with pytest.raises(IconstudioError, match="is a file of yours"):
+        fill(tmp_path, "new.svg")
+    assert there(tmp_path) == {"results.json"}
+    assert (tmp_path / "results.json").read_text("utf-8") == text
+
+
 @pytest.mark.parametrize(
     "report",
     [
         {"files": ["../mine.svg", "sub/mine.svg", "mine.txt", "..", "", "folder.svg"]},
-        {"files": [7]},
         {"files": "mine.svg"},
-        {"results": [{"svg": "mine.svg"}]},
-        {"results": 7},
-        [],
-        "[" * 9999,
     ],
 )
 def test_what_no_run_of_ours_wrote_is_left_alone(tmp_path, report):
@@ -141,13 +172,13 @@ def test_what_no_run_of_ours_wrote_is_left_alone(tmp_path, report):
     mine = [tmp_path / "mine.svg", out / "mine.svg", out / "sub" / "mine.svg", out / "mine.txt"]
     for path in mine:
         path.write_text("mine")
-    text = report if isinstance(report, str) else json.dumps(report)
-    (out / "results.json").write_text(text, "utf-8")
+    (out / "results.json").write_text(json.dumps(report), "utf-8")
     fill(out, "new.svg")
     assert all(path.read_text() == "mine" for path in mine)
     assert (out / "folder.svg").is_dir()
 
 
+@pytest.mark.thorough
 def test_hybrids_of_a_second_run_stand_alone(tmp_path, capsys):
     file, out = tmp_path / "mix.json", tmp_path / "out"
     file.write_text(json.dumps({"icons": [ICON, "game-icons:lighthouse"]}), "utf-8")
@@ -156,3 +187,25 @@ def test_hybrids_of_a_second_run_stand_alone(tmp_path, capsys):
     report = json.loads((out / "results.json").read_text("utf-8"))
     assert {one.name for one in out.glob("*.svg")} == {one["svg"] for one in report["results"]}
     assert there(out) == {*report["files"], "results.json"}
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ["show", "in.png", "--png", "in.png"],
+        ["restyle", "in.svg", "--style", "Castle", "--out", "in.svg"],
+        ["restyle", ICON, "--style", "in.svg", "--out", "in.svg"],
+        ["scribble", "--style", "in.svg", "--length", "50", "--out", "./in.svg"],
+        ["pattern", "in.svg", "--out", "in.svg"],
+        ["pattern", ICON, "--fill", "in.svg", "--out", "in.svg"],
+        ["search", "lamp", "--exclude", "in.png", "--sheet", "in.png"],
+    ],
+)
+def test_what_is_read_is_never_replaced(tmp_path, monkeypatch, capsys, command):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "in.svg").write_text(SVG, "utf-8")
+    Image.new("L", (64, 64), 255).save(tmp_path / "in.png")
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    assert run(command, None) == 2
+    assert "is read, and what is made would replace it" in capsys.readouterr().err
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before

@@ -70,6 +70,7 @@ def test_a_montage_says_so_once(files, capfd):
     assert said(capfd) == [LINE]
 
 
+@pytest.mark.thorough
 def test_an_edit_says_so(files, capfd):
     data = {"icon": "marked.svg", "keyword": "lighthouse", "remove": [[[0, 0], [99, 0], [0, 99]]]}
     options = ["--styles", "medium", "--lambdas", "0.1"]

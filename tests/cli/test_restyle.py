@@ -275,6 +275,7 @@ def test_originals_are_never_written_over(icons, capsys):
     assert {one: one.read_bytes() for one in icons.rglob("*.*")} == before
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 def test_a_set_that_is_stopped_goes_on_where_it_was(tmp_path, icons):
     for number in range(4, 12):

@@ -57,6 +57,7 @@ def edited(tmp_path_factory):
     return out
 
 
+@pytest.mark.thorough
 def test_the_rest_of_the_icon_stays(edited):
     report = results_of(edited)
     assert report["base"]["icon"] == LIGHTHOUSE
@@ -90,6 +91,7 @@ def test_the_dump_proves_the_energies(edited):
     prove_energies(held, results_of(edited)["results"])
 
 
+@pytest.mark.thorough
 def test_a_dump_of_fine_quality_proves_the_energies(tmp_path):
     edit = {"icon": LIGHTHOUSE, "keyword": "lighthouse", "remove": [disc(128, 45, 40)]}
     file = written(tmp_path / "edit.json", edit)
@@ -101,6 +103,7 @@ def test_a_dump_of_fine_quality_proves_the_energies(tmp_path):
     prove_energies(held, results_of(tmp_path)["results"])
 
 
+@pytest.mark.thorough
 def test_what_is_added_beyond_the_canvas_is_drawn(tmp_path):
     """Drawing and label map agree; no number of NumPy's is written out by its name."""
     edit = {"icon": LIGHTHOUSE, "keyword": "lighthouse",
@@ -124,6 +127,7 @@ def test_the_sheet_is_there(edited):
         assert sheet.width > 600
 
 
+@pytest.mark.thorough
 def test_an_edit_of_a_file_under_symmetry_in_the_icons_own_style(tmp_path):
     (tmp_path / "mine.svg").write_text(
         '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 200">'
@@ -159,6 +163,7 @@ def runs(tmp_path_factory):
     return folders
 
 
+@pytest.mark.thorough
 def test_the_same_seed_gives_the_same_bytes(runs):
     first, again = runs
     names = sorted(path.name for path in first.iterdir())

@@ -22,6 +22,8 @@ from iconstudio.output.svg import svg_document
 from iconstudio.svg.decode import decode
 from iconstudio.workflows.events import Progress
 
+pytestmark = pytest.mark.thorough(but=1)
+
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M{0} 0h9v9z"/></svg>'
 OTHERS = {"Edit": 1, "Hybrids": 2, "Montage": 3}
 MOST = {"Hybrids": 12, "Montage": 30}

@@ -128,6 +128,7 @@ def test_an_empty_window_says_what_to_do_and_offers_it(place):
     assert titles == ["Chess pieces", "Fish", "Robots", "Table lamps"]
 
 
+@pytest.mark.thorough
 def test_every_example_of_the_menu_is_mixed_at_once(place, qtbot, session, monkeypatch):
     known = {}
     monkeypatch.setattr(
@@ -372,6 +373,7 @@ def test_a_batch_is_in_rank_order_without_repeats_and_ends_with_a_rule(mixed, se
     assert sorted(int(one.title.split()[1]) for one in pictures) == list(range(1, 38))
 
 
+@pytest.mark.thorough
 def test_scrolling_to_the_end_draws_on_and_drops_repeats_of_earlier_batches(mixed, qtbot, session):
     first = rows(mixed)
     scroll_down(mixed)
@@ -385,6 +387,7 @@ def test_scrolling_to_the_end_draws_on_and_drops_repeats_of_earlier_batches(mixe
     assert totals(second) == sorted(totals(second), reverse=True)
 
 
+@pytest.mark.thorough
 def test_the_same_seed_gives_the_same_sheet(mixed, qtbot):
     before = [one.icon.path for one in rows(mixed)[:-1]]
     QTest.mouseClick(mixed.column.seed.dice, LEFT)
@@ -424,6 +427,7 @@ def test_a_hybrid_at_which_the_user_points_stays_where_it_is(chosen, qtbot, sess
     assert totals(rows(chosen)) == sorted(totals(rows(chosen)), reverse=True)
 
 
+@pytest.mark.thorough
 def test_results_that_arrive_do_not_scroll_the_sheet(mixed, qtbot, session):
     session.gate = threading.Semaphore(10)
     scroll_down(mixed)
@@ -473,6 +477,7 @@ def test_colour_coding(mixed):
 # -- what is done with a hybrid --------------------------------------------------------------------
 
 
+@pytest.mark.thorough
 def test_undo_brings_back_the_sheet_of_an_earlier_mix(mixed, qtbot):
     stack, first = mixed.document.undo_stack, rows(mixed)
     assert any(isinstance(one, Picture) for one in first)
@@ -533,6 +538,7 @@ def test_all_favourites_are_saved_and_nothing_is_replaced(mixed, qtbot, tmp_path
     qtbot.waitUntil(lambda: "2 icons" in mixed.window().pane.status.label.text())
 
 
+@pytest.mark.thorough
 def test_more_like_this_has_a_section_of_its_own(mixed, qtbot, session):
     whole = rows(mixed)
     mixed.sheet.verticalScrollBar().setValue(40)

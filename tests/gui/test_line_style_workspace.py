@@ -450,6 +450,7 @@ def test_the_page_is_kept_in_a_project(window, restyled, qtbot, tmp_path, monkey
     settled(restyled, qtbot)
 
 
+@pytest.mark.thorough
 def test_from_an_empty_start_to_a_saved_icon_with_the_real_session(qtbot, tmp_path, monkeypatch):
     shown_styles = tuple(map(named, ("Loops", "Waves")))
     monkeypatch.setattr(styles, "bundled", lambda: shown_styles)

@@ -243,6 +243,7 @@ def test_a_page_that_is_no_good_yet_says_nothing(live, qtbot, session, points, c
     assert not live.window().pane.notice.isVisible()
 
 
+@pytest.mark.thorough
 def test_every_kind_of_change_starts_again(drawn, qtbot, session):
     session.gate = None
     for change in (

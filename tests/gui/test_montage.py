@@ -821,6 +821,7 @@ def test_undo_gives_back_every_page(two, qtbot):
         assert two.document.page == page
 
 
+@pytest.mark.thorough
 def test_from_an_empty_start_to_a_saved_icon_with_the_real_session(qtbot, tmp_path, monkeypatch):
     window = MainWindow(Session(), (MONTAGE,))
     qtbot.addWidget(window)

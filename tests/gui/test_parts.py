@@ -107,6 +107,7 @@ def test_a_chosen_alternative_is_pinned_remixed_and_undone(place, tried, qtbot, 
     assert place.page.sketch.pins == ()
 
 
+@pytest.mark.thorough
 def test_a_pinned_part_is_marked_and_can_be_unpinned(place, tried, qtbot):
     large = place.detail.large
     before = large.grab().toImage()
@@ -194,6 +195,7 @@ def test_what_is_chosen_for_a_symmetric_result_opens_in_montage(window, place, t
     qtbot.waitUntil(lambda: len(window.workspace.page.layers) > 0)
 
 
+@pytest.mark.thorough
 def test_a_part_is_pinned_with_the_real_session(qtbot, monkeypatch):
     few = GridSettings(styles=("dark",), lambdas=(0.1,))
     monkeypatch.setattr(SketchWorkspace, "settings", lambda self: few)

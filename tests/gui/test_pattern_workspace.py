@@ -641,6 +641,7 @@ def test_tiles_are_shown_side_by_side_without_a_seam(laid_out, qtbot):
     assert not view.tiles, "this one does not tile"
 
 
+@pytest.mark.thorough
 def test_from_an_empty_start_to_a_saved_pattern_with_the_real_session(qtbot, tmp_path, monkeypatch):
     session = Session()
     window = MainWindow(session, (PATTERN,))

@@ -188,6 +188,7 @@ def test_the_pages_of_all_workflows_are_read_back(window, another, qtbot, tmp_pa
     assert first["pages"] == second["pages"]
 
 
+@pytest.mark.thorough
 def test_picked_results_and_favourites_are_read_back(window, another, qtbot, tmp_path, monkeypatch):
     sketching = window.workspace
     trace(sketching)

@@ -19,6 +19,8 @@ from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.reading import own_svg
 from iconstudio.workflows.modelling.file import example, read_sketch
 
+pytestmark = pytest.mark.thorough(but=1)
+
 
 def rgba(image):
     image = image.convertToFormat(QImage.Format.Format_RGBA8888)
@@ -119,6 +121,7 @@ def test_the_colour_code_of_a_recent_result_is_saved(done, qtbot, tmp_path, monk
     assert len(colours(QImage(str(path)))) > 1
 
 
+@pytest.mark.thorough
 def test_an_icon_is_copied_as_svg_as_words_and_as_a_picture(done):
     setting.choose(Display.CODED)
     done.actions_by_name["copy"].trigger()

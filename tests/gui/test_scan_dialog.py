@@ -14,6 +14,8 @@ from iconstudio.images.scans import Tracing
 from iconstudio.model import IconstudioError
 from tests.shapes import outline
 
+pytestmark = pytest.mark.thorough(but=1)
+
 EDIT, HYBRIDS, MONTAGE = 1, 2, 3
 
 

@@ -98,6 +98,7 @@ def hybrids(window, qtbot):
     tidiness.setting.choose(True)
 
 
+@pytest.mark.thorough
 def test_hybrids_are_shown_and_saved_as_the_switch_says(hybrids, qtbot):
     tidy, many = hybrids.picture, hybrids.sections.pictures
     hybrids.keep(tidy)

@@ -149,6 +149,7 @@ values = st.recursive(
 )
 
 
+@pytest.mark.thorough
 @settings(suppress_health_check=[HealthCheck.too_slow])  # its first example loads libraries
 @given(st.dictionaries(keys, values))
 def test_there_is_a_sentence_for_every_mistake(data):

@@ -15,6 +15,8 @@ from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.nearness import nearest
 from iconstudio.model import IconstudioError
 
+pytestmark = pytest.mark.thorough(but=1)
+
 bitmaps = hnp.arrays(np.bool_, (5, SIDE, SIDE))
 
 
@@ -291,6 +293,7 @@ def found_by_its_name(bundled, name, typed):
     return any("".join(take_apart(one.id.partition(":")[2]).words) in wanted for one in found)
 
 
+@pytest.mark.thorough
 def test_every_icon_is_found_by_its_name_of_one_word(bundled, names):
     single = [name for name in names if name.isalpha()]
     assert len(single) > 3_000
@@ -347,3 +350,21 @@ def test_another_word_is_no_hint_however_many_letters_it_shares(foreign, word):
 def test_what_is_spelt_much_less_like_it_is_no_hint():
     assert nearest("lampe", ["amp", "lap", "lamp", "clamp"]) == ("lamp",)
     assert nearest("tabel", ["table", "label"]) == ("table", "label")
+
+
+def test_one_comes_before_several_of_a_style(opened):
+    names = "stars-2-filled", "star-3-filled", "stars-filled", "star-outline"
+    collection = opened(small(*names))
+    assert ids(collection, "filled star") == [
+        "star-3-filled", "stars-2-filled", "stars-filled", "star-outline",
+    ]  # fmt: skip
+    assert ids(collection, "filled stars")[0].startswith("stars-")
+
+
+@pytest.mark.parametrize(
+    "typed", ["mdi-star", "mdi mdi-star", "MdStar", "fas fa-star", "mdiStar", "a-star", "a:star"]
+)
+def test_a_name_as_code_writes_it_finds_the_thing(opened, typed):
+    collection = opened(small("star", "star-mdi", "house"))
+    assert ids(collection, typed)[0] == "star"
+    assert collection.remark(typed) == ""

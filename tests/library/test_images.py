@@ -22,6 +22,8 @@ from iconstudio.reading import FileReader, returned
 from iconstudio.workers import Workers
 from iconstudio.workflows.registry import workflows
 
+pytestmark = pytest.mark.thorough(but=1)
+
 COLOURS = np.zeros((40, 60, 3), np.uint8)
 COLOURS[:20, :30], COLOURS[:20, 30:] = [255, 0, 0], [255, 255, 255]
 COLOURS[20:, 30:] = [0, 0, 255]

@@ -54,6 +54,7 @@ def files(folder):
     return sorted(path for path in folder.rglob("*") if path.is_file())
 
 
+@pytest.mark.thorough
 def test_what_was_prepared_once_comes_from_the_disk(cache, tmp_path):
     for found, icon in zip(prepared(cache, ICONS), ICONS, strict=True):
         assert_prepared(found, icon)
@@ -117,12 +118,14 @@ def die_in_a_worker(exemplars, scales):
 TESTS = int(os.environ.setdefault("PID_OF_THE_TESTS", str(os.getpid())))
 
 
+@pytest.mark.thorough
 def test_what_a_lost_process_should_have_prepared_is_prepared_here(cache, monkeypatch):
     monkeypatch.setattr(preparing, "prepared_entries", die_in_a_worker)
     for found, icon in zip(prepared(cache, ICONS[:9]), ICONS, strict=False):
         assert_prepared(found, icon)
 
 
+@pytest.mark.thorough
 def test_closing_the_generator_leaves_the_rest_undone(cache, tmp_path):
     begun = cache.prepared([exemplar(blob(seed)) for seed in range(100, 160)], SCALES)
     next(begun)

@@ -40,9 +40,24 @@ from iconstudio.library.words import query
         ("\U0001f3fb", ""),
         ("!?", ""),
         ("IconHome", "home"),
-        ("ArrowLeftIcon", "arrowleft"),
+        ("ArrowLeftIcon", "arrow left"),
         ("Iconic", "iconic"),
         ("Icon", "icon"),
+        ("fas fa-house", "house"),
+        ("ph-bold ph-house", "bold house"),
+        ("bx bxs-home", "home"),
+        ("feather icon-home", "home"),
+        ("dashicons dashicons-admin-home", "home"),
+        ("material-icons home", "home"),
+        ("nf-fa-home", "home"),
+        ("AiOutlineHome", "outline home"),
+        ("FaHouse", "house"),
+        ("mdiHome", "home"),
+        ("WiFi router", "wifi router"),
+        ("Tiger", "tiger"),
+        ("tea tea-cup", "tea cup"),
+        ("feather duster", "feather duster"),
+        ("pi", "pi"),
     ],
 )
 def test_plain(typed, words):
@@ -90,7 +105,8 @@ def test_a_style_that_is_asked_for(typed, near, far):
 
 @pytest.mark.parametrize("typed", ["dog", "outline", "traffic light", "clothes line"])
 def test_a_word_for_a_style_may_belong_to_the_thing(typed):
-    assert query.style(tuple(typed.split())) == query.Style()
+    words = tuple(typed.split())
+    assert query.style(words) == query.Style(thing=frozenset(words))
 
 
 @pytest.mark.parametrize(

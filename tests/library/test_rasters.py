@@ -177,6 +177,7 @@ def test_a_folder_that_lets_nothing_in(cache, tmp_path, monkeypatch, reason):
     assert not files(tmp_path)
 
 
+@pytest.mark.thorough
 def test_a_crash_a_hang_and_greed_lose_only_the_culprit(cache, tmp_path, monkeypatch):
     monkeypatch.setattr(rasters, "draw_entries", perilous_entries)
     monkeypatch.setattr(rasters, "_CHUNK_SECONDS", 1.0)
@@ -202,6 +203,7 @@ def test_a_mistake_of_the_program_is_not_hidden(cache, monkeypatch):
         drawn(cache, [pictogram("bug", "<title>bug</title>")])
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="no other limits address space")
 def test_a_document_that_eats_all_memory_loses_only_itself(cache, monkeypatch, capfd):
     monkeypatch.setattr(rasters, "_MEMORY", 100 << 20)

@@ -9,6 +9,8 @@ from iconstudio.model import IconstudioError
 from iconstudio.svg.colours import colour
 from tests.svg.pictures import HOUSE, PATH, assert_shows, read, svg
 
+pytestmark = pytest.mark.thorough(but=1)
+
 BOX = 'viewBox="0 0 24 24"'
 OTHER = '<circle cx="3" cy="20" r="3"/>'
 D = f'fill-rule="evenodd" d="{HOUSE}"'

@@ -7,6 +7,8 @@ import pytest
 from iconstudio.model import IconstudioError
 from tests.svg.pictures import BODY, HOUSE, OUTLINE, PATH, ROOF, WINDOW, assert_shows, read, svg
 
+pytestmark = pytest.mark.thorough(but=1)
+
 BOX = 'viewBox="0 0 24 24"'
 LINE = f'<path d="{ROOF}"/>'
 STROKED = f'{BOX} fill="none" stroke="#000"'

@@ -54,6 +54,7 @@ def some():
     return chosen
 
 
+@pytest.mark.thorough
 @pytest.mark.timeout(600)
 def test_icons_of_ten_sets_look_as_the_renderer_draws_them(some, workers):
     found = [one.result() for one in [workers.submit(compared, *icon) for icon in some]]

@@ -11,6 +11,8 @@ from iconstudio.svg.resvg import render_colours
 from iconstudio.svg.styles import ONLY_IN_STYLE
 from tests.svg.pictures import assert_shows, overlap, read, svg
 
+pytestmark = pytest.mark.thorough(but=1)
+
 DISC = '<circle cx="12" cy="12" r="10"/>'
 SQUARE = "M7 7h10v10H7z"
 HOLE = f'{DISC}<path fill="#fff" d="{SQUARE}"/>'
@@ -123,6 +125,7 @@ def test_a_pale_stroke_leaves_the_shape_beside_it_filled():
     assert_shows(svg(bar + ring.format(' stroke-opacity=".6"')), bar + ring.format(""))
 
 
+@pytest.mark.thorough
 def test_a_small_pale_dot_is_ink():
     dot = '<circle cx="21" cy="3" r="1.2"{}/>'
     body = '<path d="M2 8h16v14H2z"/>'

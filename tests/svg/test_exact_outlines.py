@@ -13,6 +13,8 @@ from iconstudio.workflows.drawing import draw
 from tests.paths import segments
 from tests.shapes import pictogram
 
+pytestmark = pytest.mark.thorough(but=1)
+
 
 def document(body):
     return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 256 256">{body}</svg>'

@@ -11,6 +11,8 @@ from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.reading import own_svg
 from iconstudio.svg.shadows import LEFT_OUT
 
+pytestmark = pytest.mark.thorough(but=1)
+
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">{}</svg>'
 BOX = '<rect x="5" y="30" width="90" height="40" fill="{}" stroke="#000"/>'
 TEXT = '<text x="50" y="53" font-size="{}" text-anchor="middle">Signal</text>'
@@ -55,6 +57,7 @@ def test_a_shadow_in_css_is_left_out_and_told():
     assert shadowed.svg == read(SHAPE.format("")).svg
 
 
+@pytest.mark.thorough
 def test_a_filter_that_is_no_shadow_is_drawn():
     dilated = '<filter id="f"><feMorphology operator="dilate" radius="9"/></filter>'
     line = '<path d="M20 20h50v50h-50z" fill="none" stroke="#000" stroke-width="4" {}/>'
@@ -137,6 +140,7 @@ BULB = (
 )
 
 
+@pytest.mark.thorough
 def test_of_one_shadow_or_glow_one_sentence_is_told():
     assert read(TILE + LONG + NOTES).remarks == (OMITTED[Omission.TILE], OMITTED[Omission.FAINT])
     assert read(GLOW + BULB).remarks == (OMITTED[Omission.GLOW],)

@@ -7,6 +7,8 @@ from iconstudio.svg import matching, stylesheet
 from iconstudio.svg.textpaths import CUT_OFF
 from tests.svg.pictures import PATH, assert_shows, read, svg
 
+pytestmark = pytest.mark.thorough(but=1)
+
 
 def scribble(points):
     return "".join(f"L{i * 37 % 100} {i * 53 % 97}" for i in range(points))

@@ -15,6 +15,8 @@ from iconstudio.svg.resvg import render_colours
 from iconstudio.svg.styles import apply_styles
 from tests.svg.pictures import assert_shows, ink, overlap, svg
 
+pytestmark = pytest.mark.thorough(but=1)
+
 FONTS = [str(resource(f"fonts/Inter-{one}.otf")) for one in ("Regular", "SemiBold")]
 REACH, SIZE = 512, 512
 PAGE = f'viewBox="{-REACH} {-REACH} {2 * REACH} {2 * REACH}"'

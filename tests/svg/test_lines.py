@@ -52,6 +52,7 @@ def kinds(lines):
     return ["stroke" if one.width else "contour" for one in lines]
 
 
+@pytest.mark.thorough
 def test_icons_of_ten_sets_are_drawn_again_as_they_are():
     found = {name: [] for name in SETS}
     with Collection.open() as collection:

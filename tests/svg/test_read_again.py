@@ -12,6 +12,8 @@ from tests.algorithms.test_whites import BITES, SHAPES
 from tests.output.made import made, quarters, titled
 from tests.svg.pictures import OUTLINE, PATH, ink, overlap, read, svg
 
+pytestmark = pytest.mark.thorough(but=1)
+
 FLAG = '<path fill="#e70013" d="M0 0h60v40H0z"/>'
 CRESCENT = '<circle cx="{}" cy="20" r="10" fill="#fff"/><circle cx="{}" cy="20" r="8" fill="{}"/>'
 TILE = '<rect width="60" height="40" rx="6" fill="{}"/>'

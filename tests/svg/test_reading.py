@@ -13,6 +13,8 @@ from tests.output.made import BLOCK, RING, SOURCES, credited, made, quarters, ti
 from tests.svg.pictures import ink, read
 from tests.svg.test_check import HARMLESS, HOSTILE, svg
 
+pytestmark = pytest.mark.thorough(but=1)
+
 SQUARE = '<path d="M4 4h16v16H4z"/>'
 
 
@@ -219,6 +221,7 @@ def test_huge_drawings_are_drawn(size):
     assert ink(document).any()
 
 
+@pytest.mark.thorough
 def test_a_hostile_drawing_ends_in_a_sentence_and_leaves_the_session_at_work(session, file):
     path = file(svg("<style>" + "a " * 300_000 + "{fill:red}</style>" + "<g/>" * 15_000))
     with pytest.raises(IconstudioError, match="cannot be used"):

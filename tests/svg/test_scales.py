@@ -1,5 +1,6 @@
 """A drawing is the same in whatever space its parts are drawn."""
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -60,6 +61,7 @@ def in_parts(content, inner, outer, number):
 SPACES = (group, viewport, symbol, repeated, in_parts)
 
 
+@pytest.mark.thorough
 @given(
     st.sampled_from(sorted(DRAWINGS)),
     st.lists(st.tuples(st.sampled_from(SPACES), st.integers(-2, 4)), min_size=1, max_size=3),

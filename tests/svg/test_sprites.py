@@ -9,6 +9,8 @@ from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.reading import file_and_symbol, own_svg
 from tests.svg.pictures import HOUSE, PATH, assert_shows, ink, overlap, read, svg
 
+pytestmark = pytest.mark.thorough(but=1)
+
 ROOT = '<svg xmlns="http://www.w3.org/2000/svg"'
 DOT = '<circle cx="12" cy="12" r="9"/>'
 SHEET = (

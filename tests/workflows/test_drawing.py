@@ -21,6 +21,8 @@ from iconstudio.svg.resvg import render_coverage
 from iconstudio.workflows.drawing import PREVIEW, draw
 from tests.shapes import pictogram
 
+pytestmark = pytest.mark.thorough(but=1)
+
 SHAPES = (
     '<circle cx="128" cy="128" r="96" fill="none" stroke="#000" stroke-width="12"/>',
     '<path d="M128 20L230 220H26ZM128 80v60" fill="none" stroke="#000" stroke-width="16"/>',

@@ -260,6 +260,7 @@ def edited(edit, own, *others, workers, styles=("light", "medium")):
     return [inked(result) for result in found]
 
 
+@pytest.mark.thorough
 def test_lines_that_are_not_marked_stay_and_nothing_new_lies_beyond_the_marks(workers):
     """The other icon's knob has a brim, and its lines lie elsewhere."""
     own = exemplar(FRAME, "frame")
@@ -283,6 +284,7 @@ def test_no_other_icon_puts_back_what_was_taken_off(workers):
         assert (ink ^ FRAME).sum() < 0.01 * FRAME.sum()
 
 
+@pytest.mark.thorough
 def test_a_wall_of_which_a_rough_mark_covers_the_rim_stays_as_it_is(workers):
     cup = exemplar(CUP | HANDLE, "cup")
     edit = Edit(cup.pictogram, "x", (rectangle(164, 80, 240, 200),))

@@ -61,6 +61,7 @@ def finished(events):
     return {one.member.id: one for one in events if not isinstance(one, Progress)}
 
 
+@pytest.mark.thorough
 def test_the_number_of_processes_changes_nothing():
     alone = finished(restyle_set(MEMBERS, MANNER, Direct()))
     assert list(alone) == [one.id for one in MEMBERS]

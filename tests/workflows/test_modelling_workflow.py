@@ -117,6 +117,7 @@ def test_unknown_styles_are_refused(prepared, workers):
         next(model(Sketch(HOUSE), prepared, settings, workers, render_placed))
 
 
+@pytest.mark.thorough
 def test_a_remix_of_two_halves_joins_them(workers):
     """Left half of the sketch like one exemplar, right half like another."""
     square, disc = np.zeros((2, CANVAS, CANVAS), bool)

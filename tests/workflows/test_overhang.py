@@ -58,6 +58,7 @@ placements = st.builds(
 )  # fmt: skip
 
 
+@pytest.mark.thorough
 @settings(max_examples=12)
 @given(placements, st.sampled_from([(CANVAS, SCALE), (CANVAS, PREVIEW), (2 * CANVAS, SCALE)]))
 def test_a_source_that_owns_all_is_drawn_whole(placement, quality):

@@ -67,6 +67,7 @@ def owned_by(icon, shape):
     return np.array(own)[composite.labels]
 
 
+@pytest.mark.thorough
 def test_a_pinned_place_is_drawn_as_its_source(resources):
     pin = Layer(DIAMOND.pictogram, Placement(), (CORNER,))
     (icon,) = icons(list(run(resources, replace(SKETCH, pins=(pin,)), SETTINGS)))
@@ -86,6 +87,7 @@ def test_a_symmetric_result_has_the_pin_on_both_sides(resources):
     assert owned_by(icon, DIAMOND)[place | place[::-1]].all()
 
 
+@pytest.mark.thorough
 def test_a_pin_of_an_icon_that_is_left_out_is_told_and_not_heeded(resources, result):
     pin = Layer(DIAMOND.pictogram, Placement(), (CORNER,))
     sketch = replace(SKETCH, pins=(pin,), exclude=frozenset({DIAMOND.id}))
@@ -136,6 +138,7 @@ def test_alternatives_are_other_sources_that_look_different_there(result):
         shown.append(ink)
 
 
+@pytest.mark.thorough
 def test_each_alternative_is_tried_with_the_part_pinned(result, resources):
     part = Parts(result).at((60, 128))
     offered = alternatives(part)[:2]

@@ -53,12 +53,14 @@ def run(prepared, workers, **settings):
     return list(model(SKETCH, prepared, wanted, workers, render_placed))
 
 
+@pytest.mark.thorough
 def test_results_come_from_the_highest_lambda_s_down(prepared, workers):
     assert cells(run(prepared, workers, styles=("dark",))) == [
         ("dark", value) for value in LAMBDAS[::-1]
     ]
 
 
+@pytest.mark.thorough
 def test_the_result_in_focus_comes_first_then_its_row_then_the_others(prepared, workers):
     events = run(prepared, workers, styles=BOTH, focus=("dark", 0.2), previews=True)
     rows = [style for style, _ in cells(events)]
@@ -73,17 +75,20 @@ def test_the_result_in_focus_comes_first_then_its_row_then_the_others(prepared, 
     assert max(done) == 1
 
 
+@pytest.mark.thorough
 def test_a_row_is_recommended_once_all_its_results_are_finished(prepared, workers):
     events = run(prepared, workers, styles=("dark",), focus=("dark", 0.2), previews=True)
     kinds = [type(event) for event in events if isinstance(event, Result | Recommended)]
     assert kinds == [Result] * 4 + [Recommended]
 
 
+@pytest.mark.thorough
 def test_without_its_style_the_focus_is_still_a_lambda_s(prepared, workers):
     (first, *_) = cells(run(prepared, workers, styles=("dark",), focus=("light", 0.05)))
     assert first == ("dark", 0.05)
 
 
+@pytest.mark.thorough
 def test_a_fine_result_is_of_the_same_shape(prepared, workers):
     settings = GridSettings(lambdas=LAMBDAS, styles=("dark",), focus=("dark", 0.2))
     plain, fine = (

@@ -37,6 +37,7 @@ def page(result):
     return MontagePage.of(layers, [IconShape(drawn[one.icon.id]) for one in layers])
 
 
+@pytest.mark.thorough
 def test_the_montage_of_a_result_is_the_result(result, page, workers):
     assert len(result.composite.owners(0.02)) > 1  # else it would be too easy
     shapes = [one.icon.exemplar for one in page.layers]

@@ -81,6 +81,7 @@ def test_copies_give_way_first_then_what_is_least_plausible():
     assert [place.least for place in places] == [0.5, 0.9, 0.9]
 
 
+@pytest.mark.thorough
 def test_what_is_least_plausible_gives_way_but_not_what_is_recommended():
     many = [halves(k, value, 0.6 - value) for k, value in enumerate(LAMBDAS)]
     places = weak(many, 0.5, pose).places

@@ -5,11 +5,12 @@ An emoji stands for its name, and so does any other symbol.
 
 import re
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from itertools import takewhile
 
 from iconstudio.library.words import symbols
+from iconstudio.library.words.coded import of_one, uncoded
 from iconstudio.library.words.inflections import singulars, verbs
 from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.usage import INFORMAL
@@ -44,8 +45,6 @@ _ALONE = {
     "=": "equal", "?": "question mark", "!": "exclamation mark",
 }  # fmt: skip
 """Signs that are looked for on their own."""
-_COMPONENT = re.compile(r"^Icon(?=[A-Z])|(?<=[a-z0-9])Icon$")
-"""What code adds to the names of icons: *IconHome*, *HomeIcon*."""
 _LONGEST = 24
 """Most letters of a word that is taken for several."""
 _PARTS = 3
@@ -66,7 +65,7 @@ _FACING = {"facing", "right"}
 
 def plain(keyword: str) -> str:
     """Return the words of a keyword in lower case, without accents, joined by spaces."""
-    spoken = "".join(map(_joining, symbols.spoken(_COMPONENT.sub("", keyword.strip()))))
+    spoken = "".join(map(_joining, symbols.spoken(uncoded(keyword))))
     if named := _ALONE.get(spoken.strip()):
         return named
     bare = "".join(
@@ -174,6 +173,12 @@ class Style:
     """What other styles are called: a filled drawing is no outline."""
     solid: bool | None = None
     """Whether the drawing is to be solid, or else of lines; None if either will do."""
+    thing: frozenset[str] = frozenset()
+    """What else the keyword says."""
+
+    def strangeness(self, words: Collection[str]) -> int:
+        """Return how much the words of a name are beside the thing: more, or in the plural."""
+        return 2 * len(words) + (not self.thing.issubset(words))
 
     def distance(self, name: str) -> int:
         """Return 0 if a name says that the drawing has the style, 2 if another, 1 if both.
@@ -187,7 +192,8 @@ class Style:
 
 def style(words: tuple[str, ...]) -> Style:
     """Return the style that words ask for beside the thing, and its numbers."""
-    dropped = set(words).difference(without_style(words))
+    thing = frozenset(without_style(words))
+    dropped = set(words) - thing
     asked = {TYPED_STYLES.get(word, word) for word in dropped}
     asked = {word for word in asked if word in STYLES or word.isdigit()}
     same: set[str] = set(asked)
@@ -198,7 +204,7 @@ def style(words: tuple[str, ...]) -> Style:
             others.update(*groups)
     solid = bool(asked & (SOLID | HEAVY))
     either = solid == bool(asked & (LINES | THIN))
-    return Style(frozenset(same), frozenset(others - same), None if either else solid)
+    return Style(frozenset(same), frozenset(others - same), None if either else solid, thing)
 
 
 def without_framing(words: tuple[str, ...]) -> tuple[str, ...]:
@@ -243,9 +249,9 @@ def tells(word: str) -> bool:
 def identifiers(text: str, prefixes: frozenset[str]) -> Iterator[str]:
     """Yield the identifiers ``set:name`` that a text may stand for in another spelling.
 
-    *mdi-home*, *mdi/home*, *i-mdi-home*, *icon-[mdi--home]*, *MDI:Home*, *mdiHome*.
+    *mdi-home*, *mdi mdi-home*, *mdi/home*, *i-mdi-home*, *icon-[mdi--home]*, *MDI:Home*, *mdiHome*.
     """
-    parted = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", text.strip())
+    parted = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", of_one(text))
     tokens = re.findall(r"[a-z0-9]+", parted.casefold())
     if tokens[:1] in (["i"], ["icon"], ["iconify"]):
         tokens = tokens[1:]

@@ -62,6 +62,7 @@ def test_as_much_ink_as_in_the_exemplar(tile):
         assert 0.88 < ink.mean() / Prepared.of(exemplar).elements[0].share < 1.1
 
 
+@pytest.mark.thorough
 def test_there_are_hardly_emptier_places_than_in_the_exemplar():
     exemplar = shapes()
     most = Prepared.of(exemplar).elements[0].emptiness
