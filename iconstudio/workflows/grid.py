@@ -18,7 +18,7 @@ from iconstudio.algorithms.iconification.matching import (
 from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.saliency import WHOLE, Region
 from iconstudio.algorithms.iconification.style import STYLES, Style, blackness
-from iconstudio.model import Composite, IconstudioError, Inner, Placement, Remix, Source
+from iconstudio.model import Composite, Exemplar, IconstudioError, Inner, Placement, Remix, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import (
@@ -118,6 +118,8 @@ class GridTask:
     """What to add to each icon."""
     always: tuple[Source, ...] = ()
     """Sources that every style has, before those that are matched."""
+    fitting: Callable[[Sequence[Exemplar]], tuple[Source, ...]] = lambda exemplars: ()
+    """Returns more sources of a style, made of the exemplars that it admits."""
     pinned: tuple[Source, ...] = ()
     """More sources, each of the styles that admit it."""
     include: Set[str] = frozenset()
@@ -128,7 +130,8 @@ class GridTask:
     def sources(self, style: Style, matched: StyleMatched) -> tuple[Source, ...]:
         """Return the sources of a style: those it always has first, pinned ones last."""
         own = [one for one in self.pinned if style.admits(blackness(one.exemplar.ink))]
-        return (*self.always, *distinct((*matched.matches, matched.whole, own)))
+        fitted = self.fitting(matched.exemplars)
+        return (*self.always, *distinct((*matched.matches, matched.whole, fitted, own)))
 
 
 def remix_styles(

@@ -7,13 +7,12 @@ from iconstudio.algorithms.iconification.matching import Matcher, prepare
 from iconstudio.model import CANVAS, Axis, Edit, IconstudioError, Inner, Polygon
 from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.editing.editing import (
-    SAME,
     edit_icon,
-    lookalikes,
     own_styles,
     place_edit,
     place_edited,
 )
+from iconstudio.workflows.editing.lookalikes import SAME, lookalikes
 from iconstudio.workflows.events import Recommended, Remark, StyleMatched
 from iconstudio.workflows.grid import SHOWN, GridSettings
 from tests.shapes import blob, exemplar, icons

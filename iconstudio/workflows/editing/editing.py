@@ -30,7 +30,7 @@ from iconstudio.algorithms.iconification.style import STYLES, Style, blackness
 from iconstudio.algorithms.iconification.symmetry import reflected
 from iconstudio.algorithms.iconification.taking_off import meant, taken_off
 from iconstudio.algorithms.iconification.tsdf import tsdf
-from iconstudio.algorithms.raster import Bitmap, outlines, overlap, placed_ink, solid
+from iconstudio.algorithms.raster import Bitmap, outlines, placed_ink, solid
 from iconstudio.model import (
     CANVAS,
     MARGIN,
@@ -52,13 +52,13 @@ from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render, draw_whole
 from iconstudio.workflows.editing.additions import INSIDE, judged, with_missed
 from iconstudio.workflows.editing.emptying import Emptied, begin_emptying
+from iconstudio.workflows.editing.fitting import fitted
+from iconstudio.workflows.editing.lookalikes import lookalikes
 from iconstudio.workflows.events import Event, Remark
 from iconstudio.workflows.grid import GridSettings, GridTask, Matches, focused, remix_styles
 from iconstudio.workflows.remixing import RemixResources
 from iconstudio.workflows.solving import Posed
 
-SAME = 0.97
-"""Overlap of ink from which two icons on the canvas are one drawing."""
 OFF_CANVAS = Placement(dx=4 * CANVAS)
 """Where an icon shows nothing."""
 _ENCLOSED = 0.98
@@ -108,13 +108,18 @@ class PlacedEdit:
     @property
     def enclosed(self) -> tuple[int, ...]:
         """Which green areas, from 1, lie inside the outline of what the icon keeps."""
-        whole, side = solid(self.keeps), len(self.keeps)
-        areas = [_union([one], self.base.placement, side) for one in self.edit.add]
+        whole = solid(self.keeps)
         return tuple(
             number
-            for number, area in enumerate(areas, start=1)
+            for number, area in enumerate(self.areas, start=1)
             if area.any() and whole[area].mean() > _ENCLOSED
         )
+
+    @property
+    def areas(self) -> tuple[Bitmap, ...]:
+        """(m, m) each: what is added, area by area."""
+        side = len(self.added)
+        return tuple(_union([one], self.base.placement, side) for one in self.edit.add)
 
     @property
     def wanted(self) -> Bitmap:
@@ -313,6 +318,9 @@ def edit_icon(
         icon = replace(icon, unchanged=change.unchanged(icon.drawing, drawn))
         return judged(icon, wanted)
 
+    same = lookalikes(change.icon, matcher)
+    # A keyword that finds the icon itself names the thing, and another one its new part.
+    names_part = same.isdisjoint(one.exemplar.id for one in matcher.exemplars)
     task = GridTask(
         field=tsdf(change.silhouette),
         regions=salient_regions(score),
@@ -320,26 +328,17 @@ def edit_icon(
         refusal=_refusal,
         pose=partial(posed.pose, edit.symmetry),
         unmet=_UNMET,
+        fitting=partial(fitted, change.areas if names_part else ()),
         finish=finish,
         always=(change.base, paper(change.base)) if change.left.any() else (change.base,),
         include=edit.include,
-        without=lookalikes(change.icon, matcher),
+        without=same,
     )
     events = remix_styles(task, matcher, settings, workers, render, earlier, plausibility)
     try:
         yield from with_missed(events, wanted)
     finally:
         own.cancel()
-
-
-def lookalikes(icon: Exemplar, matcher: Matcher) -> frozenset[str]:
-    """Return the identifiers of an icon, and of the exemplars that are the same drawing.
-
-    They would put back what is to be removed.
-    """
-    found = (one.exemplar for one in matcher.exemplars)
-    same = (one.id for one in found if overlap(one.ink, icon.ink) > SAME)
-    return frozenset({icon.id, *same})
 
 
 def _shown(coverage: NDArray[np.uint8], frame: Frame) -> NDArray[np.uint8]:
