@@ -272,6 +272,7 @@ def pattern(*colours, ground=""):
     )  # fmt: skip
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize("ground", ["", "#fdfdf8", "#101010"])
 def test_a_pattern_is_kept_whole(ground):
     for colours in (["#f0f0f0", "#FF8000"], ["", "#e4572e", "#e4572e"]):

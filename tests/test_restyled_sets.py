@@ -21,6 +21,7 @@ SETS = {
 EACH = 12
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", SETS)
 def test_icons_of_a_set_stay_what_they_are(session, name):
     style = prepare(named(SETS[name]))

@@ -46,6 +46,7 @@ def is_symmetric(labels: Labels, axis: Axis) -> bool:
     return np.array_equal(lattice.full(lattice.reduced(labels)), labels)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("symmetry", "block"),
     [(None, 4), (None, 8), *zip(Axis, itertools.cycle([4, 8]))],  # endless
@@ -152,6 +153,7 @@ def found_anew(symmetry: Axis | None) -> list[Labels]:
     return [AlphaExpansion(one).find(value, ROW) for value in ROW]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("symmetry", [None, Axis.VERTICAL])
 @pytest.mark.parametrize("order", [(2, 1, 3, 0, 4), (4, 3, 2, 1, 0)])
 def test_what_is_found_depends_on_nothing_that_went_before(order, symmetry):

@@ -67,6 +67,7 @@ def shows(found: Scan, subject: str) -> bool:
     return areas == PIECES[subject] and bool(ink.mean() < 0.3)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("subject", SUBJECTS)
 @pytest.mark.parametrize(
     ("side", "rows", "shade"),

@@ -20,6 +20,7 @@ def test_an_axis_is_whole_below_bars_of_all_colours():
     assert pictogram(rgba(PAPER + CHART))[axis].min() > 127
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize("colour", ["#ddd", "#e5e5e5", "#cfd8dc"])
 def test_the_lines_of_a_pale_grid_stay_though_bars_stand_before_them(colour):
     grid = GRID.format(colour)

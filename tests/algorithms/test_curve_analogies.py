@@ -65,6 +65,7 @@ def mean_spectrum(curves):
     return np.mean([spectrum(curve, plain) for plain, curve in curves], axis=0)
 
 
+@pytest.mark.thorough
 def test_the_texture_is_that_of_the_example(name, pairs, made):
     wanted = spectrum(pairs[name].styled, pairs[name].plain)
     found = mean_spectrum([(plain, one.curve) for plain, one in made[name]])

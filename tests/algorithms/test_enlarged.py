@@ -26,6 +26,7 @@ def enlarged(times: float, white: bool, way: Image.Resampling) -> np.ndarray:
     return np.asarray(small.resize((round(24 * times), round(24 * times)), way))
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize("white", [False, True])
 @pytest.mark.parametrize(
     ("times", "way"),

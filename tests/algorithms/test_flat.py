@@ -404,6 +404,7 @@ LIGHTS = "".join(
 )
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", ["PNG", "JPEG"])
 @pytest.mark.parametrize("colours", [("#ddd", "#06f"), ("#455a64", "#fb0"), ("#fff", "#0a7")])
 def test_small_dots_in_other_colours_do_not_vanish(colours, kind):

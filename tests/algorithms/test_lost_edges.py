@@ -54,6 +54,7 @@ def test_an_edge_that_is_lost_is_told(kind):
     assert Omission.SHADES not in tone.pictogram(rgba(plain, tone.SIDE)).omissions
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("file", ["PNG", "JPEG"])
 def test_an_edge_that_is_lost_of_a_bitmap_is_told(kind, file):

@@ -76,6 +76,7 @@ def test_an_exemplar_that_equals_the_sketch_is_found_exactly(matcher, placement)
         assert row[0].error == pytest.approx(0, abs=1e-6)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("seed", [99, 100, 101])
 def test_matches_are_those_of_the_exhaustive_search_at_full_resolution(matcher, seed):
     regions = regions_of_a_square()

@@ -39,6 +39,7 @@ def edit(**fields):
     return {"icon": ICON, "keyword": "lighthouse", "remove": [PART]} | fields
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize(
     ("data", "words"),
     [

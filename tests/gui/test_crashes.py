@@ -84,6 +84,7 @@ def check_a_kill(seconds, started, qtbot):
     assert not list(journals_folder().glob("*"))
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize("number", range(MOMENTS))
 def test_a_window_that_is_killed_loses_at_most_one_edit(started, qtbot, number):
     check_a_kill(random.Random(number).uniform(0.3, 2.0), started, qtbot)

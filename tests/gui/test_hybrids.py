@@ -700,6 +700,7 @@ def test_a_new_mix_has_no_hybrids(mixed, qtbot):
     assert len(mixed.sections.pictures) == 37, "the same icons were mixed before"
 
 
+@pytest.mark.thorough
 def test_the_hybrids_in_sight_are_counted(mixed, qtbot):
     total = len(mixed.sections.pictures)
     mixed.draw_like(mixed.sections.pictures[0])

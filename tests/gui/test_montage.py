@@ -517,6 +517,7 @@ def test_guides_are_drawn_while_an_icon_snaps(arranging):
     assert layer(arranging, 1).placement == Placement()
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize("centred", [False, True])
 @pytest.mark.parametrize("corner", range(4))
 def test_a_corner_scales_about_the_opposite_one_or_the_centre(arranging, corner, centred):

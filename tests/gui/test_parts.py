@@ -179,6 +179,7 @@ def test_a_result_is_opened_in_montage_as_its_sources(window, place, qtbot):
     assert montage.page.layers == ()
 
 
+@pytest.mark.thorough
 def test_what_is_chosen_for_a_symmetric_result_opens_in_montage(window, place, tried, qtbot):
     icon = place.picture.icon
     icon = replace(icon, composite=replace(icon.composite, symmetry=Axis.HORIZONTAL))

@@ -85,6 +85,7 @@ def test_an_icon_is_saved_as_svg_with_its_credits(done, qtbot, tmp_path, monkeyp
     assert "Ada Example" in path.read_text("utf-8")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("display", list(Display))
 def test_png_is_of_the_icon_and_the_colour_code_has_its_own(
     done, qtbot, tmp_path, monkeypatch, display

@@ -40,6 +40,7 @@ def test_a_sketch_opens(example):
     file.sketch.polygon.fitted()
 
 
+@pytest.mark.thorough(but=1)
 @listed("edits")
 def test_an_edit_changes_its_icon(example, session):
     file = read_edit(example.path)

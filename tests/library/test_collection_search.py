@@ -300,6 +300,7 @@ def test_every_icon_is_found_by_its_name_of_one_word(bundled, names):
     assert [name for name in single if not found_by_its_name(bundled, name, name)] == []
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("between", ["-", " ", "", "_"])
 def test_icons_are_found_by_their_names_of_two_words(bundled, names, between):
     double = [name for name in names if re.fullmatch("[a-z]{2,}-[a-z]{2,}", name)][::40]

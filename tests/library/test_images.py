@@ -187,6 +187,7 @@ def png(width, height, bits=8, rows=None) -> bytes:
     return b"\x89PNG\r\n\x1a\n" + b"".join(parts)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("width", "height", "bits"), [(15000, 10000, 8), (9000, 8000, 16)])
 def test_gigantic_pngs_are_read_within_the_memory(workers, width, height, bits):
     image = read(png(width, height, bits), workers)

@@ -114,6 +114,7 @@ def test_a_layer_of_a_fifth_is_a_part_of_the_drawing():
     assert abs(rasterise(icon.svg)[1].astype(int) - drawn(layer.format("") + body)).max() < 64
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", ["opacity", "fill-opacity"])
 def test_a_fainter_layer_within_lines_that_is_no_ink_is_told(name):
     layer = f'<path {name}=".35" d="M16 16h64v48H16z"/>'
@@ -186,6 +187,7 @@ def test_a_dot_and_nothing_and_a_line_that_shows_stay_as_they_are(shape):
     assert not read(shape.format(2) + BLOCK).remarks
 
 
+@pytest.mark.thorough
 def test_a_line_is_not_cut_by_the_scrap_of_another_that_peeks_out_behind():
     """As that around an area by the grid of a radar chart."""
     grid = '<path d="{}" fill="none" stroke="#cbd5e1"/>'

@@ -334,6 +334,7 @@ AS_THE_OUTLINE = {
 }
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize("kind", AS_THE_OUTLINE)
 def test_the_outline_is_drawn_and_stays_a_line(kind):
     assert_shows(AS_THE_OUTLINE[kind], OUTLINE, remarks=moment_of(kind))
@@ -387,6 +388,7 @@ SAID = {
 }
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize("kind", SAID)
 def test_nothing_is_left_out_in_silence(kind):
     document, words = SAID[kind]

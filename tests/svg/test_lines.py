@@ -260,6 +260,7 @@ SHAPE = st.sampled_from(
 PAINT = st.sampled_from(["#000", "#fff", "none"])
 
 
+@pytest.mark.thorough
 @settings(max_examples=60)
 @given(
     st.lists(

@@ -40,6 +40,7 @@ MORE = {
 }
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize("body", ONE.values(), ids=ONE)
 def test_one_paint_gives_what_judging_the_picture_gives(body, monkeypatch):
     assert is_of_one_paint(ET.fromstring(f"<g>{body}</g>"))

@@ -37,6 +37,7 @@ FACE = (
 )
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize(
     "stroke",
     [

@@ -113,6 +113,7 @@ LEFT_OUT = {
 }
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize("kind", LEFT_OUT)
 def test_what_is_not_written_out_is_left_out_and_told(kind):
     body, words = LEFT_OUT[kind]

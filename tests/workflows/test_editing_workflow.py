@@ -101,6 +101,7 @@ def test_a_hole_is_cut_where_another_icon_has_one(workers):
     assert result.score.inside > 0.9
 
 
+@pytest.mark.thorough
 def test_it_is_told_if_no_icon_has_a_hole_where_one_is_drawn(workers):
     matcher = Matcher([prepare(one) for one in (WITH_KNOB, *BLOBS)])
     edit = Edit(ICON.pictogram, "body", inner=Inner((rectangle(90, 130, 150, 170),)))

@@ -125,6 +125,7 @@ def test_only_a_used_source_that_is_no_mirror_image_of_itself_gets_one():
     assert np.array_equal(inks[4], inks[1][:, ::-1])
 
 
+@pytest.mark.thorough
 @given(st.integers(0, 2**32 - 1), arrays(np.uint8, (CANVAS, CANVAS), elements=st.integers(0, 4)))
 def test_a_half_and_its_mirror_image_are_a_symmetric_picture(seed, labels):
     random = np.random.default_rng(seed)

@@ -104,6 +104,7 @@ def test_without_a_judge_a_row_stays(workers):
     assert len([event for event in found if isinstance(event, Result)]) == len(few)
 
 
+@pytest.mark.thorough
 def test_others_come_from_two_icons_first(workers):
     doubtful = [halves(k, value, 0.6) for k, value in enumerate(LAMBDAS)]
     composite = run(workers, doubtful, 0.9, best=0.3)[0].composite
