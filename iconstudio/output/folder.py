@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import tempfile
 from collections.abc import Iterable
 from contextlib import suppress
@@ -93,6 +94,9 @@ class ResultsFolder(Folder):
     ----------
     kind
         The workflow that fills it.
+    stems
+        A regular expression for the names, without ending, of all that it may write: what is in
+        the way is told before any work.
 
     Raises
     ------
@@ -100,11 +104,15 @@ class ResultsFolder(Folder):
         As of a folder; also if it holds results of another kind, or a file that is in the way.
     """
 
-    def __init__(self, path: Path, kind: str) -> None:
+    def __init__(self, path: Path, kind: str, stems: str) -> None:
         super().__init__(path)
         self._kind = kind
         self._before = _listed(path / _REPORT, kind)
         self._written: set[str] = set()
+        names = re.compile(rf"(?:{stems})(?:-sources)?(?:{'|'.join(map(re.escape, _KINDS))})")
+        for name in sorted(os.listdir(path)) if path.is_dir() else ():
+            if names.fullmatch(name):
+                self._check_free(name)
 
     def write(self, name: str, content: bytes) -> None:
         """Write a file."""

@@ -30,7 +30,7 @@ class HybridsReport:
     def __init__(
         self, folder: Path, keyword: str, draws: int, seed: int, symmetry: Axis | None
     ) -> None:
-        self._folder = ResultsFolder(folder, "hybrids")
+        self._folder = ResultsFolder(folder, "hybrids", r"sheet|hybrid-\d+")
         self._keyword = keyword
         self._draws = draws
         self._seed = seed

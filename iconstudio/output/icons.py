@@ -25,7 +25,7 @@ class IconsReport:
     """
 
     def __init__(self, folder: Path, name: str) -> None:
-        self._folder = ResultsFolder(folder, name)
+        self._folder = ResultsFolder(folder, name, rf"sheet|{name}-\d+")
         self._name = name
         self._icons: list[Icon] = []
 

@@ -23,7 +23,7 @@ class MontageReport:
     """
 
     def __init__(self, folder: Path, montage: Montage) -> None:
-        self._folder = ResultsFolder(folder, "montage")
+        self._folder = ResultsFolder(folder, "montage", f"sheet|{_NAME}")
         self._montage = montage
         self._remixes: list[Remix] = []
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from iconstudio.algorithms.iconification.energy import distance_field, joining, placed_sources
+from iconstudio.algorithms.iconification.style import STYLES
 from iconstudio.algorithms.raster import interior, solid
 from iconstudio.model import CANVAS, Composite, Exemplar, Point, Remix
 from iconstudio.output import record
@@ -43,7 +44,9 @@ class GridReport:
     def __init__(
         self, folder: Path, request: Request, lambdas: Iterable[float], *, dump: bool = False
     ) -> None:
-        self._folder = ResultsFolder(folder, "model" if request.change is None else "edit")
+        kind = "model" if request.change is None else "edit"
+        styles = "|".join(style.name for style in STYLES)
+        self._folder = ResultsFolder(folder, kind, rf"grid|(?:{styles})(?:-\d+)?")
         self._request = request
         self._lambdas = sorted(set(lambdas))
         self._dumping = dump

@@ -80,8 +80,11 @@ def test_names_of_files_break_no_rows(tmp_path, capsys, name):
 # -- a folder that was used before ---------------------------------------------------------------
 
 
+STEMS = r"sheet|hybrid-\d+"
+
+
 def fill(path, *names, kind="hybrids"):
-    folder = ResultsFolder(path, kind)
+    folder = ResultsFolder(path, kind, STEMS)
     for name in names:
         folder.write(name, b"new")
     folder.write_report({"results": []})
@@ -93,11 +96,11 @@ def there(path):
 
 def test_a_second_run_removes_what_the_first_one_listed_and_nothing_else(tmp_path):
     fill(tmp_path, "hybrid-01.svg", "hybrid-02.svg", "sheet.png", "dark.npz")
-    (tmp_path / "hybrid-03.svg").write_text("mine")
+    (tmp_path / "hybrid-x.svg").write_text("mine")
     fill(tmp_path, "hybrid-01.svg", "sheet.png")
-    assert there(tmp_path) == {"hybrid-01.svg", "hybrid-03.svg", "sheet.png", "results.json"}
+    assert there(tmp_path) == {"hybrid-01.svg", "hybrid-x.svg", "sheet.png", "results.json"}
     fill(tmp_path)
-    assert there(tmp_path) == {"hybrid-03.svg", "results.json"}
+    assert there(tmp_path) == {"hybrid-x.svg", "results.json"}
 
 
 def test_results_of_another_workflow_are_refused_and_left(tmp_path):
@@ -108,12 +111,13 @@ def test_results_of_another_workflow_are_refused_and_left(tmp_path):
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
 
 
-def test_what_was_changed_since_stays(tmp_path):
+def test_what_was_changed_since_is_in_the_way(tmp_path):
     fill(tmp_path, "hybrid-01.svg", "hybrid-02.svg")
     later = time.time() + 60
     os.utime(tmp_path / "hybrid-02.svg", (later, later))
-    fill(tmp_path, "hybrid-03.svg")
-    assert there(tmp_path) == {"hybrid-02.svg", "hybrid-03.svg", "results.json"}
+    with pytest.raises(IconstudioError, match=r"hybrid-02\.svg” is there already"):
+        fill(tmp_path, "hybrid-03.svg")
+    assert there(tmp_path) == {"hybrid-01.svg", "hybrid-02.svg", "results.json"}
 
 
 @pytest.mark.parametrize("name", ["hybrid-01.svg", "sheet.png"])
@@ -121,13 +125,15 @@ def test_a_file_of_a_users_own_is_never_replaced(tmp_path, name):
     fill(tmp_path, "hybrid-02.svg")
     (tmp_path / name).write_text("mine")
     with pytest.raises(IconstudioError, match="is there already"):
+        ResultsFolder(tmp_path, "hybrids", STEMS)  # before any work
+    with pytest.raises(IconstudioError, match="is there already"):
         fill(tmp_path, "hybrid-02.svg", name)
     assert (tmp_path / name).read_text() == "mine"
 
 
 def test_a_run_that_was_stopped_can_be_run_again(tmp_path):
     fill(tmp_path, "hybrid-01.svg", "hybrid-02.svg")
-    stopped = ResultsFolder(tmp_path, "hybrids")
+    stopped = ResultsFolder(tmp_path, "hybrids", STEMS)
     stopped.write("hybrid-03.svg", b"half")
     report = json.loads((tmp_path / "results.json").read_text("utf-8"))
     assert not report["finished"] and "hybrid-03.svg" in report["files"]
