@@ -9,7 +9,7 @@ from scipy import ndimage
 from iconstudio.model import CANVAS, BitmapError, Frame, IconstudioError
 from iconstudio.svg.bitmaps import file_of
 from iconstudio.svg.bounds import union
-from iconstudio.svg.credits import metadata
+from iconstudio.svg.credits import attributed, metadata
 from iconstudio.svg.decode import decode
 from iconstudio.svg.lengths import Box, mapped
 from iconstudio.svg.markup import markup_of
@@ -56,6 +56,7 @@ def artwork(
     root, left_out = parse(markup)
     rdf = metadata(root)
     drawing = plain(root, [*unread, *left_out], symbol)
+    rdf = attributed(rdf, drawing.author, "")
     fonts, said = fonts_of(drawing.texts)
     remarks = [*drawing.remarks, *said]
     if drawing.bounds is None or not max(drawing.bounds[2:]):

@@ -9,7 +9,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from iconstudio.svg import references, shadows, sprites
+from iconstudio.svg import attribution, references, shadows, sprites
 from iconstudio.svg.animation import as_one, finish
 from iconstudio.svg.bitmaps import is_page, whole_bitmaps
 from iconstudio.svg.bounds import bounds
@@ -85,6 +85,8 @@ class Plain:
     """Whether it says that it was made plain and black here."""
     bitmap: str = ""
     """The address of the one bitmap that would be seen, as it is, if there is just one."""
+    author: str = ""
+    """Whom a line of text in it names as its author."""
 
 
 def plain(
@@ -142,6 +144,8 @@ def plain(
     seen = any(one.tag == "image" for one in kept)
     bitmaps = whole_bitmaps(root, ids) if seen else []
     remarks += _without_unknown(root, kept)
+    said, author = attribution.leave_out(root, kept)
+    remarks += said
     texts = tuple(_texts(kept))
     references.prune(root, kept)
     # Before anything follows its references.
@@ -160,6 +164,7 @@ def plain(
         tuple(as_one(remarks)),
         marked,
         bitmaps[0] if len(bitmaps) == 1 else "",
+        author,
     )
 
 

@@ -189,8 +189,9 @@ def _read(
     root, left_out = parse(markup)
     said = [*unread, *left_out]
     rdf = credits.metadata(root)
-    credit = credits.credit(rdf, title if symbol is None else f"{title}#{symbol}")
+    title = title if symbol is None else f"{title}#{symbol}"
     drawing = plain(root, said, symbol)
+    rdf = credits.attributed(rdf, drawing.author, title)
     try:
         svg, remarks = in_black(drawing, rdf)
     except EmptyError as error:
@@ -201,4 +202,4 @@ def _read(
         svg, remarks = in_black(plain(parse(markup)[0], said, symbol, midway=True), rdf)
     if THIN in remarks and _STYLED.search(text) and not _STROKED.search(markup):
         remarks = tuple(UNSTYLED if one == THIN else one for one in remarks)
-    return svg, credit, credits.sources(rdf), remarks
+    return svg, credits.credit(rdf, title), credits.sources(rdf), remarks
