@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from iconstudio.svg import attribution, references, shadows, sprites
 from iconstudio.svg.animation import as_one, finish
-from iconstudio.svg.bitmaps import is_page, whole_bitmaps
+from iconstudio.svg.bitmaps import Shown, is_page, put_back, shown, stand_for
 from iconstudio.svg.bounds import bounds
 from iconstudio.svg.check import MAX_DEPTH, check
 from iconstudio.svg.clipping import clip
@@ -83,14 +83,18 @@ class Plain:
     """What could not be read, in sentences."""
     marked: bool
     """Whether it says that it was made plain and black here."""
-    bitmap: str = ""
-    """The address of the one bitmap that would be seen, as it is, if there is just one."""
+    bitmaps: tuple[Shown, ...] = ()
+    """The bitmaps that would be seen."""
     author: str = ""
     """Whom a line of text in it names as its author."""
 
 
 def plain(
-    root: ET.Element, remarks: Sequence[str] = (), symbol: str | None = None, midway: bool = False
+    root: ET.Element,
+    remarks: Sequence[str] = (),
+    symbol: str | None = None,
+    midway: bool = False,
+    with_bitmaps: bool = False,
 ) -> Plain:
     """Make a parsed document plain; ``root`` is changed.
 
@@ -102,6 +106,8 @@ def plain(
         The id of what is wanted of it, if that is not all.
     midway
         Whether animations are shown in the middle where they end with nothing.
+    with_bitmaps
+        Whether the bitmaps that it holds stay in it.
 
     Raises
     ------
@@ -116,6 +122,7 @@ def plain(
         remarks.append("A script was not run.")
     remarks += apply_styles(root, midway)
     remarks += embed(root)
+    addresses = stand_for(root) if with_bitmaps else []
     root.attrib.pop("display", None)  # of a sprite within a page
     sprites.turn_glyphs_into_symbols(root)
     symbols = sprites.symbols(root)
@@ -141,8 +148,7 @@ def plain(
     remarks += leave_out_distortions(kept)
     bound_octaves(kept)
     remarks += cut_off_mistakes(kept)
-    seen = any(one.tag == "image" for one in kept)
-    bitmaps = whole_bitmaps(root, ids) if seen else []
+    bitmaps = shown(root, ids) if any(one.tag == "image" for one in kept) else []
     remarks += _without_unknown(root, kept)
     said, author = attribution.leave_out(root, kept)
     remarks += said
@@ -154,16 +160,18 @@ def plain(
     remarks += _measure(root, page, ids)
     is_bitmap = bool(bitmaps) and is_page(root, page, ids)
     content = _content(root, stretch)
+    box = None if is_bitmap else bounds(content, page or (0, 0, 100, 100), ids, painted=True)
+    put_back(content, addresses)
     return Plain(
         content,
         page,
-        None if is_bitmap else bounds(content, page or (0, 0, 100, 100), ids, painted=True),
+        box,
         texts,
         any(one.tag in ("filter", "pattern") or "blur" in one.get("filter", "") for one in kept)
         or sum(one.tag in ("mask", "clipPath") for one in kept) > _MANY,
         tuple(as_one(remarks)),
         marked,
-        bitmaps[0] if len(bitmaps) == 1 else "",
+        tuple(bitmaps),
         author,
     )
 
