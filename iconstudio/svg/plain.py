@@ -117,6 +117,7 @@ def plain(
         If nothing is called ``symbol``, or it is not safe to draw.
     """
     marked = root.attrib.pop(ATTRIBUTE, None) is not None
+    references.unquote_targets(root)
     remarks = [*remarks, *finish(root, midway)]
     if any(True for _ in root.iter("script")):
         remarks.append("A script was not run.")

@@ -7,6 +7,7 @@ which every renderer reads alike.
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
+from urllib.parse import quote
 
 from iconstudio.svg import filters
 from iconstudio.svg.animation import ENDED, MIDWAY, MOVING, vanishes
@@ -296,7 +297,8 @@ def _paint(value: str) -> str | None:
 
 
 def _target(match: re.Match[str]) -> str:
-    return (match[1] or match[2] or match[3] or "").strip().replace(" ", "%20")
+    said = (match[1] or match[2] or match[3] or "").strip()
+    return re.sub(r"[\s()\"']", lambda one: quote(one[0]), said)
 
 
 def _opacity(word: str) -> str | None:
