@@ -9,7 +9,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from iconstudio.svg import attribution, references, shadows, sprites
+from iconstudio.svg import attribution, references, shadows, sprites, templates
 from iconstudio.svg.animation import as_one, finish
 from iconstudio.svg.bitmaps import Shown, is_page, put_back, shown, stand_for
 from iconstudio.svg.bounds import bounds
@@ -127,6 +127,8 @@ def plain(
     root.attrib.pop("display", None)  # of a sprite within a page
     sprites.turn_glyphs_into_symbols(root)
     symbols = sprites.symbols(root)
+    if symbol is None and (symbol := templates.usual(root)):
+        remarks.append(templates.CHOSEN.format(symbol))
     if symbol is not None:
         sprites.choose(root, symbol)
     ids, outside, missing = references.resolve(root)
