@@ -9,7 +9,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from iconstudio.svg import attribution, references, shadows, sprites, templates
+from iconstudio.svg import attribution, classes, references, shadows, sprites, templates
 from iconstudio.svg.animation import as_one, finish
 from iconstudio.svg.bitmaps import Shown, is_page, put_back, shown, stand_for
 from iconstudio.svg.bounds import bounds
@@ -21,6 +21,7 @@ from iconstudio.svg.geometry import SHAPES
 from iconstudio.svg.lengths import IDENTITY, Box, Matrix, numbers, pixels, written
 from iconstudio.svg.lettering import TEXTS, set_type
 from iconstudio.svg.mark import ATTRIBUTE, PAGE
+from iconstudio.svg.parse import SHEET_ELSEWHERE
 from iconstudio.svg.pathdata import cut_off_mistakes
 from iconstudio.svg.percentages import write_out
 from iconstudio.svg.placing import place
@@ -121,6 +122,7 @@ def plain(
     remarks = [*remarks, *finish(root, midway)]
     if any(True for _ in root.iter("script")):
         remarks.append("A script was not run.")
+    painting = classes.painting(root)
     remarks += apply_styles(root, midway)
     remarks += embed(root)
     addresses = stand_for(root) if with_bitmaps else []
@@ -144,6 +146,8 @@ def plain(
             kept = references.drawn(root, ids)
     remarks += outside if kept else []
     remarks += [sentence for element, sentence in missing if element in kept]
+    if SHEET_ELSEWHERE not in remarks:
+        remarks += classes.missed(root, kept, painting)
     without = shadows.leave_out(kept)
     if without:
         remarks += without
