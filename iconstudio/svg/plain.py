@@ -232,6 +232,8 @@ def _without_unknown(root: ET.Element, kept: set[ET.Element]) -> list[str]:
             parent.remove(child)
             if child in kept and child.tag not in _SILENT and not child.tag.startswith("{"):
                 what = _UNKNOWN.get(child.tag, f"An element <{child.tag[:30]}>")
+                if child.tag == "feImage" and child.get("href", "").startswith("#"):
+                    what = "A part of the drawing that a filter repeats (feImage)"
                 cure = _CURE.get(what, "Turn what it shows into shapes")
                 address = child.get("href", "").partition("#")[0].partition("?")[0]
                 if child.tag in ("image", "feImage") and address and address[:5] != "data:":

@@ -130,7 +130,7 @@ def _resolve(element: ET.Element, name_of: Callable[[str, tuple[str, ...]], str 
         name = name_of(element.attrib["href"].strip(), kinds) if kinds else None
         if name is not None:
             element.set("href", f"#{name}")
-        elif element.tag != "image":
+        elif element.tag not in ("image", "feImage"):
             del element.attrib["href"]
     for attribute, kinds in _KINDS.items():
         if attribute == "filter" and attribute in element.attrib:
