@@ -81,6 +81,10 @@ TURNED = {
         f'<defs>{NAMED}</defs><use href="#i" transform="matrix(1 0 0 -1 0 200)"/>',
         Image.Transpose.FLIP_TOP_BOTTOM,
     ),
+    "turned beside the page": (
+        f'<g transform="translate(500) rotate(90 100 100)">{IMAGE}</g>',
+        Image.Transpose.ROTATE_270,
+    ),
     "turned in a pattern": (
         '<pattern id="p" patternContentUnits="objectBoundingBox" width="1" height="1">'
         '<use href="#i" transform="matrix(-.005 0 0 .005 1 0)"/></pattern>'
@@ -108,7 +112,7 @@ def test_a_bitmap_that_is_turned_is_read_so(session, tmp_path, kind):
         image.transpose(how).save(tmp_path / "plain.png")
     ink, remarks = lined(session, tmp_path / "drawing.svg")
     assert similarity(ink, lined(session, tmp_path / "plain.png")[0]) > 0.98
-    assert "as they are seen" in remarks[0]
+    assert "traced as it is seen" in remarks[0]
 
 
 WINDOW = "M40 60h130v60H40z"
@@ -133,7 +137,7 @@ def test_a_bitmap_that_is_cut_is_read_so(session, tmp_path, kind):
     window.save(tmp_path / "plain.png")
     ink, remarks = lined(session, tmp_path / "drawing.svg")
     assert similarity(ink, lined(session, tmp_path / "plain.png")[0]) > 0.97
-    assert "as they are seen" in remarks[0]
+    assert "traced as it is seen" in remarks[0]
 
 
 def test_a_bitmap_that_the_page_cuts_is_read_so(session, tmp_path):
@@ -164,8 +168,9 @@ def test_bitmaps_beside_each_other_are_one_picture(session, tmp_path):
         pair.paste(image, (0, 100))
         pair.paste(image, (200, 100))
     pair.save(tmp_path / "plain.png")
-    ink, _ = lined(session, tmp_path / "drawing.svg")
+    ink, remarks = lined(session, tmp_path / "drawing.svg")
     assert similarity(ink, lined(session, tmp_path / "plain.png")[0]) > 0.96
+    assert "traced as they are seen" in remarks[0]
 
 
 def test_a_bitmap_that_is_stretched_is_read_so(session, tmp_path):
@@ -182,10 +187,20 @@ def test_a_bitmap_that_is_stretched_is_read_so(session, tmp_path):
         (f'<g display="none">{IMAGE}</g>', "nothing to be seen"),
         (f'<g opacity="0">{IMAGE}{IMAGE}</g>', "nothing to be seen"),
         (IMAGE.replace(PNG, "data:image/png;base64,iVBORw0KGgo="), "drawing.svg.*damaged"),
+        (f"{IMAGE}{IMAGE.replace(PNG, PNG[:400])}", "A bitmap was left out"),
+        (IMAGE.replace(PNG, in_base64(house("BMP"), "bmp")) * 2, "A bitmap was left out"),
         (IMAGE.replace(PNG, "house.png"), "in another file"),
         (IMAGE + IMAGE.replace(PNG, "house.png"), "in another file"),
     ],
-    ids=["hidden", "transparent", "damaged", "elsewhere", "one elsewhere"],
+    ids=[
+        "hidden",
+        "transparent",
+        "damaged",
+        "one damaged",
+        "not drawn",
+        "elsewhere",
+        "one elsewhere",
+    ],
 )
 def test_what_is_no_bitmap_that_is_seen_is_refused(session, tmp_path, content, said):
     path = tmp_path / "drawing.svg"
