@@ -20,7 +20,6 @@ SECONDS, MEMORY = 20.0, 1 << 30
 """How many seconds of a processor reading a file may take, and how many bytes."""
 SIMPLER = "Simplify the drawing, or save it as a PNG and open that."
 """What to do about a drawing that reaches the limits."""
-_BITMAP = "All that it shows is a bitmap, which was traced."
 _SHOWN = 200
 """Most characters of a reference that a message repeats."""
 
@@ -66,7 +65,7 @@ class FileReader:
         try:
             return answer(reading, f"Reading “{name}”", SIMPLER)
         except BitmapError as error:
-            bitmap = scans.read_bitmap(error.bitmap, name, self._readers, _BITMAP)
+            bitmap = scans.read_bitmap(error.bitmap, name, self._readers, error.remark)
             return returned(bitmap)
 
     def image(self, source: Path | bytes) -> Generator[None, None, Image]:

@@ -24,14 +24,14 @@ class SpriteError(IconstudioError):
 
 
 class BitmapError(IconstudioError):
-    """A drawing shows nothing but a bitmap that it holds, which can be read in its place.
+    """A drawing shows nothing but bitmaps that it holds, which can be read in its place.
 
-    ``what`` says so; ``bitmap`` are the bytes of its file.
+    ``what`` says so; ``bitmap`` are the bytes of a file, and ``remark`` says that it was read.
     """
 
-    def __init__(self, what: str, bitmap: bytes) -> None:
-        super().__init__(what, bitmap)
-        self.what, self.bitmap = what, bitmap
+    def __init__(self, what: str, bitmap: bytes, remark: str) -> None:
+        super().__init__(what, bitmap, remark)
+        self.what, self.bitmap, self.remark = what, bitmap, remark
 
     def __str__(self) -> str:
         return self.what

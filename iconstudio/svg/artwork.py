@@ -6,16 +6,16 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from iconstudio.model import CANVAS, BitmapError, Frame, IconstudioError
-from iconstudio.svg.bitmaps import file_of
+from iconstudio.model import CANVAS, Frame, IconstudioError
 from iconstudio.svg.bounds import union
-from iconstudio.svg.credits import metadata
+from iconstudio.svg.credits import attributed, metadata
 from iconstudio.svg.decode import decode
 from iconstudio.svg.lengths import Box, mapped
 from iconstudio.svg.markup import markup_of
 from iconstudio.svg.monochrome import fonts_of
 from iconstudio.svg.near import brought_near
 from iconstudio.svg.parse import parse
+from iconstudio.svg.pictured import bitmap_error
 from iconstudio.svg.plain import document, plain
 from iconstudio.svg.resvg import render_colours
 from iconstudio.svg.strokes import coarsened
@@ -56,12 +56,12 @@ def artwork(
     root, left_out = parse(markup)
     rdf = metadata(root)
     drawing = plain(root, [*unread, *left_out], symbol)
+    rdf = attributed(rdf, drawing.author, "")
     fonts, said = fonts_of(drawing.texts)
     remarks = [*drawing.remarks, *said]
     if drawing.bounds is None or not max(drawing.bounds[2:]):
         why = " ".join(["There is nothing to be seen in it.", *remarks])
-        bitmap = file_of(drawing.bitmap)
-        raise IconstudioError(why) if bitmap is None else BitmapError(why, bitmap)
+        raise bitmap_error(why, drawing, parse(markup)[0], symbol) or IconstudioError(why)
     page = drawing.page or drawing.bounds
     content, matrix = brought_near(drawing.content, page, drawing.bounds)
     page, bounds = mapped(matrix, page), mapped(matrix, drawing.bounds)

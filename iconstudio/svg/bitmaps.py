@@ -4,7 +4,8 @@ import base64
 import binascii
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
 from urllib.parse import unquote_to_bytes
 
 from iconstudio.svg.bounds import bounds
@@ -15,31 +16,43 @@ _ADDRESS = re.compile(r"\s*data:image/[\w.+-]+(?:;[\w=.-]+)*?(;base64)?,", re.IG
 _CHANGES = ("clip-path", "mask", "filter", "transform-origin", "rotate", "scale")
 _PATTERN = re.compile(r"url\(#([^)]*)\)")
 _BOX = re.compile(r"m[\s\d.,+-]*(?:[hv][\s\d.+-]*){3,4}z?", re.IGNORECASE)
+_PLACE = "bitmap"
+"""An attribute of a rectangle that stands for one: its number."""
 _NOT_UNDERSTOOD = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
 _MOST = 10_000
 """Elements that are looked at, as often as they are repeated."""
+_UNEVEN = 0.02
+"""Part by which the scales across and down may differ."""
 _MISSED = 0.02
 """Part of the page by which a page that is drawn may miss its sides."""
 
 
-def whole_bitmaps(root: ET.Element, ids: Mapping[str, ET.Element]) -> list[str]:
-    """Return the addresses of the bitmaps that a document shows, once for each place.
+class Shown(NamedTuple):
+    """A bitmap in a place of a document."""
 
-    Of one that is not shown as it is, but turned, cut or stretched, say, it is empty.
-    """
-    return list(_shown(root, ids, True, iter(range(_MOST))))
+    address: str
+    whole: bool
+    """Whether it is shown as it is, and not turned, cut or stretched, say."""
+
+
+def shown(root: ET.Element, ids: Mapping[str, ET.Element]) -> list[Shown]:
+    """Return the bitmaps that a document shows, once for each place."""
+    budget = iter(range(_MOST))
+    parts = [one for one in root if one.tag not in DEFINITIONS]
+    return [found for part in parts for found in _shown(part, ids, True, budget)]
 
 
 def _shown(
     element: ET.Element, ids: Mapping[str, ET.Element], whole: bool, budget: Iterator[int]
-) -> Iterator[str]:
+) -> Iterator[Shown]:
     if element.get("display") == "none" or next(budget, None) is None:
         return
     a, b, c, d, *_ = transform(element.get("transform")) or _NOT_UNDERSTOOD
-    whole = whole and b == c == 0 < min(a, d) and not any(one in element.attrib for one in _CHANGES)
+    whole = whole and b == c == 0 < min(a, d) and abs(a - d) <= _UNEVEN * a
+    whole = whole and not any(one in element.attrib for one in _CHANGES)
     if element.tag == "image":
         aspect = element.get("preserveAspectRatio", "")
-        yield element.get("href", "") if whole and not re.search("none|slice", aspect) else ""
+        yield Shown(element.get("href", ""), whole and not re.search("none|slice", aspect))
     elif element.tag == "use":
         target = ids.get(element.get("href", "#")[1:])
         if target is not None:
@@ -53,9 +66,36 @@ def _shown(
         for child in () if pattern is None or pattern.tag != "pattern" else pattern:
             yield from _shown(child, ids, whole and is_plain, budget)
     else:
+        within = whole and element.tag not in ("svg", "symbol")
         for child in element:
             if child.tag not in DEFINITIONS:
-                yield from _shown(child, ids, whole, budget)
+                yield from _shown(child, ids, within, budget)
+
+
+def stand_for(root: ET.Element) -> list[str]:
+    """Let a rectangle stand for each bitmap that a document holds, in place.
+
+    So it is placed, cut and repeated as any shape is, until ``put_back`` puts the bitmap there.
+
+    Returns
+    -------
+    Their addresses.
+    """
+    addresses: list[str] = []
+    for image in [one for one in root.iter("image") if _ADDRESS.match(one.get("href", ""))]:
+        image.tag = "rect"
+        image.set(_PLACE, str(len(addresses)))
+        image.attrib |= {"fill": "#000000", "stroke": "none"}
+        addresses.append(image.attrib.pop("href"))
+    return addresses
+
+
+def put_back(content: ET.Element, addresses: Sequence[str]) -> None:
+    """Put bitmaps in the places of the rectangles that stand for them."""
+    for one in content.iter():
+        if _PLACE in one.attrib:
+            one.tag = "image"
+            one.set("href", addresses[int(one.attrib.pop(_PLACE))])
 
 
 def is_page(root: ET.Element, page: Box | None, ids: Mapping[str, ET.Element]) -> bool:

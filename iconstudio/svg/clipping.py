@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 from iconstudio.svg.bounds import bounds
 from iconstudio.svg.lengths import Box, length
+from iconstudio.svg.properties import not_understood
 
 _SHAPE = re.compile(r"(polygon|circle|ellipse|inset|path|rect|xywh)\(([^()]*)\)", re.IGNORECASE)
 _BOX = re.compile(r"\b([a-z]+-box)\b", re.IGNORECASE)
@@ -35,7 +36,7 @@ def clip(root: ET.Element, page: Box | None, ids: dict[str, ET.Element]) -> list
         assert match is not None
         path = _path(match[1].lower(), match[2].strip(), _reference(element, value, shown, ids))
         if path is None:
-            remarks.append(f"“clip-path: {value[:40]}” was not understood and left out.")
+            remarks.append(not_understood("clip-path", value))
             continue
         name = f"s{number}"
         shape = ids[name] = ET.SubElement(root, "clipPath", id=name)

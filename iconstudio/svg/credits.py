@@ -39,11 +39,25 @@ def titled(svg: str, title: str) -> str:
     tag = svg.find(">", svg.find("<svg"))
     if not title or tag < 1 or svg[tag - 1] == "/" or "<metadata" in svg:
         return svg
-    rdf = ET.Element(f"{_RDF}RDF")
-    work = ET.SubElement(rdf, f"{_CC}Work", {f"{_RDF}about": ""})
-    ET.SubElement(work, f"{_DC}title").text = "".join(filter(str.isprintable, title))
-    said = ET.tostring(rdf, encoding="unicode")
+    said = ET.tostring(_metadata(title), encoding="unicode")
     return f"{svg[: tag + 1]}<metadata>{said}</metadata>{svg[tag + 1 :]}"
+
+
+def attributed(rdf: ET.Element | None, author: str, title: str) -> ET.Element | None:
+    """Return metadata that name an author, if there is one and they name none.
+
+    ``title`` is what the work is called if they hold no work.
+    """
+    work = _work(rdf)
+    if not author or (work is not None and _said(work, f"{_DC}creator")):
+        return rdf
+    named = copy.deepcopy(rdf) if rdf is not None and work is not None else _metadata(title)
+    found = _work(named)
+    assert found is not None
+    for empty in found.findall(f"{_DC}creator"):
+        found.remove(empty)
+    ET.SubElement(found, f"{_DC}creator").text = author
+    return named
 
 
 def sources(rdf: ET.Element | None) -> tuple[Pictogram, ...]:
@@ -55,6 +69,14 @@ def sources(rdf: ET.Element | None) -> tuple[Pictogram, ...]:
         if name:
             found.setdefault(name, Pictogram(name, "", _credit(source, name)))
     return tuple(found.values())
+
+
+def _metadata(title: str) -> ET.Element:
+    """Return metadata that say nothing but what a work is called."""
+    rdf = ET.Element(f"{_RDF}RDF")
+    work = ET.SubElement(rdf, f"{_CC}Work", {f"{_RDF}about": ""})
+    ET.SubElement(work, f"{_DC}title").text = "".join(filter(str.isprintable, title))
+    return rdf
 
 
 def _work(rdf: ET.Element | None) -> ET.Element | None:

@@ -36,7 +36,7 @@ from iconstudio.svg.omitted import THIN, said_of
 from iconstudio.svg.paint import is_of_one_paint
 from iconstudio.svg.plain import Plain, document
 from iconstudio.svg.resvg import render_colours, render_coverage
-from iconstudio.svg.strokes import coarsened, evened, thickened, widened
+from iconstudio.svg.strokes import bare, coarsened, evened, thickened, widened
 
 _SIDE = 4 * CANVAS
 """Side of the picture that decides, unless the drawing has filters, masks or patterns."""
@@ -123,6 +123,7 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
     shape = frame or square(drawn)
     picture = None
     if frame is not None:
+        content = bare(content, frame.size, box)
         picture = _picture(content, box, frame, fonts, drawing.heavy)
         even = evened(content, frame.size, box, _EVEN)
         if even is not None and not picture.thin:

@@ -15,6 +15,7 @@ from iconstudio.svg.lengths import (
     transform,
     written,
 )
+from iconstudio.svg.properties import not_understood
 
 _ORIGINS = {"left": "0%", "top": "0%", "center": "50%", "right": "100%", "bottom": "100%"}
 _OF_SERVERS = ("gradientTransform", "patternTransform")
@@ -78,9 +79,7 @@ def _place(
         box = _reference_box(element, page, ids) if any("%" in one for one in said) else page
         matrix = transform(_in_pixels(" ".join(filter(None, said)), box))
         if matrix is None:
-            remarks.append(
-                f"“transform: {' '.join(filter(None, said))[:40]}” was not understood and left out."
-            )
+            remarks.append(not_understood("transform", " ".join(filter(None, said))))
             matrix = IDENTITY
         element.attrib.pop("transform", None)
         origin = _origin(element, page, ids)

@@ -9,9 +9,9 @@ import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from iconstudio.svg import references, shadows, sprites
+from iconstudio.svg import attribution, classes, references, shadows, sprites, templates
 from iconstudio.svg.animation import as_one, finish
-from iconstudio.svg.bitmaps import is_page, whole_bitmaps
+from iconstudio.svg.bitmaps import Shown, is_page, put_back, shown, stand_for
 from iconstudio.svg.bounds import bounds
 from iconstudio.svg.check import MAX_DEPTH, check
 from iconstudio.svg.clipping import clip
@@ -21,6 +21,7 @@ from iconstudio.svg.geometry import SHAPES
 from iconstudio.svg.lengths import IDENTITY, Box, Matrix, numbers, pixels, written
 from iconstudio.svg.lettering import TEXTS, set_type
 from iconstudio.svg.mark import ATTRIBUTE, PAGE
+from iconstudio.svg.parse import SHEET_ELSEWHERE
 from iconstudio.svg.pathdata import cut_off_mistakes
 from iconstudio.svg.percentages import write_out
 from iconstudio.svg.placing import place
@@ -83,12 +84,18 @@ class Plain:
     """What could not be read, in sentences."""
     marked: bool
     """Whether it says that it was made plain and black here."""
-    bitmap: str = ""
-    """The address of the one bitmap that would be seen, as it is, if there is just one."""
+    bitmaps: tuple[Shown, ...] = ()
+    """The bitmaps that would be seen."""
+    author: str = ""
+    """Whom a line of text in it names as its author."""
 
 
 def plain(
-    root: ET.Element, remarks: Sequence[str] = (), symbol: str | None = None, midway: bool = False
+    root: ET.Element,
+    remarks: Sequence[str] = (),
+    symbol: str | None = None,
+    midway: bool = False,
+    with_bitmaps: bool = False,
 ) -> Plain:
     """Make a parsed document plain; ``root`` is changed.
 
@@ -100,6 +107,8 @@ def plain(
         The id of what is wanted of it, if that is not all.
     midway
         Whether animations are shown in the middle where they end with nothing.
+    with_bitmaps
+        Whether the bitmaps that it holds stay in it.
 
     Raises
     ------
@@ -109,14 +118,19 @@ def plain(
         If nothing is called ``symbol``, or it is not safe to draw.
     """
     marked = root.attrib.pop(ATTRIBUTE, None) is not None
+    references.unquote_targets(root)
     remarks = [*remarks, *finish(root, midway)]
     if any(True for _ in root.iter("script")):
         remarks.append("A script was not run.")
+    painting = classes.painting(root)
     remarks += apply_styles(root, midway)
     remarks += embed(root)
+    addresses = stand_for(root) if with_bitmaps else []
     root.attrib.pop("display", None)  # of a sprite within a page
     sprites.turn_glyphs_into_symbols(root)
     symbols = sprites.symbols(root)
+    if symbol is None and (symbol := templates.usual(root)):
+        remarks.append(templates.CHOSEN.format(symbol))
     if symbol is not None:
         sprites.choose(root, symbol)
     ids, outside, missing = references.resolve(root)
@@ -132,6 +146,8 @@ def plain(
             kept = references.drawn(root, ids)
     remarks += outside if kept else []
     remarks += [sentence for element, sentence in missing if element in kept]
+    if SHEET_ELSEWHERE not in remarks:
+        remarks += classes.missed(root, kept, painting)
     without = shadows.leave_out(kept)
     if without:
         remarks += without
@@ -139,9 +155,10 @@ def plain(
     remarks += leave_out_distortions(kept)
     bound_octaves(kept)
     remarks += cut_off_mistakes(kept)
-    seen = any(one.tag == "image" for one in kept)
-    bitmaps = whole_bitmaps(root, ids) if seen else []
+    bitmaps = shown(root, ids) if any(one.tag == "image" for one in kept) else []
     remarks += _without_unknown(root, kept)
+    said, author = attribution.leave_out(root, kept)
+    remarks += said
     texts = tuple(_texts(kept))
     references.prune(root, kept)
     # Before anything follows its references.
@@ -150,16 +167,19 @@ def plain(
     remarks += _measure(root, page, ids)
     is_bitmap = bool(bitmaps) and is_page(root, page, ids)
     content = _content(root, stretch)
+    box = None if is_bitmap else bounds(content, page or (0, 0, 100, 100), ids, painted=True)
+    put_back(content, addresses)
     return Plain(
         content,
         page,
-        None if is_bitmap else bounds(content, page or (0, 0, 100, 100), ids, painted=True),
+        box,
         texts,
         any(one.tag in ("filter", "pattern") or "blur" in one.get("filter", "") for one in kept)
         or sum(one.tag in ("mask", "clipPath") for one in kept) > _MANY,
         tuple(as_one(remarks)),
         marked,
-        bitmaps[0] if len(bitmaps) == 1 else "",
+        tuple(bitmaps),
+        author,
     )
 
 
@@ -212,6 +232,8 @@ def _without_unknown(root: ET.Element, kept: set[ET.Element]) -> list[str]:
             parent.remove(child)
             if child in kept and child.tag not in _SILENT and not child.tag.startswith("{"):
                 what = _UNKNOWN.get(child.tag, f"An element <{child.tag[:30]}>")
+                if child.tag == "feImage" and child.get("href", "").startswith("#"):
+                    what = "A part of the drawing that a filter repeats (feImage)"
                 cure = _CURE.get(what, "Turn what it shows into shapes")
                 address = child.get("href", "").partition("#")[0].partition("?")[0]
                 if child.tag in ("image", "feImage") and address and address[:5] != "data:":

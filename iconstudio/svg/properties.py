@@ -10,6 +10,9 @@ from typing import Any
 
 from iconstudio.svg.colours import colour
 
+_LONGEST = 60
+"""Most characters of a value that is quoted."""
+
 
 def is_known(name: str, tokens: Sequence[Any]) -> bool:
     """Whether browsers know a property and may take a value, in tokens without blanks."""
@@ -27,6 +30,13 @@ def is_known(name: str, tokens: Sequence[Any]) -> bool:
     if not functions <= _FUNCTIONS:
         return False
     return next((fits(value) for names, fits in _VALUES if name in names), True)
+
+
+def not_understood(name: str, value: str) -> str:
+    """Return the sentence that says that the value of a property was left out."""
+    said = " ".join(value.split())
+    said = said if len(said) <= _LONGEST else f"{said[:_LONGEST]}…"
+    return f"“{name}: {said}” was not understood and left out."
 
 
 def _functions(tokens: Sequence[Any]) -> list[str]:

@@ -17,7 +17,6 @@ from iconstudio.model import BitmapError, Credit, IconstudioError, Pictogram, Sp
 from iconstudio.model.pictogram import OWN
 from iconstudio.svg import credits
 from iconstudio.svg.animation import moves
-from iconstudio.svg.bitmaps import file_of
 from iconstudio.svg.decode import MAX_BYTES, decode
 from iconstudio.svg.markup import markup_of
 from iconstudio.svg.parse import parse
@@ -139,7 +138,7 @@ def told(data: bytes, name: str, symbol: str | None = None) -> Iterator[None]:
             f"To use one, write its name behind the file's: “{Path(name).name}#{error.names[0]}”.",
         ) from None
     except BitmapError as error:
-        raise BitmapError(f"“{name}” cannot be used. {error}", error.bitmap) from None
+        raise BitmapError(f"“{name}” cannot be used. {error}", error.bitmap, error.remark) from None
     except IconstudioError as error:
         raise IconstudioError(f"“{name}” cannot be used. {error}") from None
     except _UNFORESEEN as error:
@@ -182,6 +181,7 @@ def _read(
     # They load libraries, which the window's own process can do without.
     from iconstudio.svg.monochrome import EmptyError, in_black
     from iconstudio.svg.omitted import THIN
+    from iconstudio.svg.pictured import bitmap_error
     from iconstudio.svg.plain import plain
 
     text = decode(data)
@@ -189,16 +189,17 @@ def _read(
     root, left_out = parse(markup)
     said = [*unread, *left_out]
     rdf = credits.metadata(root)
-    credit = credits.credit(rdf, title if symbol is None else f"{title}#{symbol}")
+    title = title if symbol is None else f"{title}#{symbol}"
     drawing = plain(root, said, symbol)
+    rdf = credits.attributed(rdf, drawing.author, title)
     try:
         svg, remarks = in_black(drawing, rdf)
     except EmptyError as error:
-        if (bitmap := file_of(drawing.bitmap)) is not None:
-            raise BitmapError(str(error), bitmap) from None
+        if shown := bitmap_error(str(error), drawing, parse(markup)[0], symbol):
+            raise shown from None
         if not moves(markup):
             raise
         svg, remarks = in_black(plain(parse(markup)[0], said, symbol, midway=True), rdf)
     if THIN in remarks and _STYLED.search(text) and not _STROKED.search(markup):
         remarks = tuple(UNSTYLED if one == THIN else one for one in remarks)
-    return svg, credit, credits.sources(rdf), remarks
+    return svg, credits.credit(rdf, title), credits.sources(rdf), remarks

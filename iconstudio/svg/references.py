@@ -6,7 +6,8 @@ Here every reference goes to the first element of a kind that it can mean, by an
 
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
+from urllib.parse import unquote
 
 from iconstudio.svg.geometry import DEFINITIONS, SHAPES
 
@@ -46,6 +47,21 @@ CIRCLE = "A reference that leads back to where it is was left out."
 Ids = Mapping[str, list[ET.Element]]
 
 
+def unquote_targets(root: ET.Element) -> None:
+    """Let every ``href`` within a document name an id as it is written there, in place."""
+    ids = {one.attrib["id"] for one in root.iter() if "id" in one.attrib}
+    for element in root.iter():
+        address = element.get("href", "").strip()
+        if address.startswith("#"):
+            element.set("href", f"#{_id_in(address, ids)}")
+
+
+def _id_in(address: str, ids: Container[str]) -> str:
+    """Return the id that ``#id`` names, as browsers do: as it is written, or else unquoted."""
+    written = address[1:]
+    return written if written in ids else unquote(written)
+
+
 def resolve(
     root: ET.Element,
 ) -> tuple[dict[str, ET.Element], list[str], list[tuple[ET.Element, str]]]:
@@ -70,7 +86,7 @@ def resolve(
                     f"It refers to “{address[:60]}” outside of itself, which was left out."
                 )
             return None
-        found = next((one for one in ids.get(address[1:], ()) if one.tag in kinds), None)
+        found = next((one for one in ids.get(_id_in(address, ids), ()) if one.tag in kinds), None)
         return None if found is None else named.setdefault(found, f"r{len(named)}")
 
     missing = [(one, sentence) for one in root.iter() for sentence in _unread(one, ids)]
@@ -86,7 +102,7 @@ def _unread(element: ET.Element, ids: Ids) -> Iterator[str]:
     """Let a plain colour stand for paints of Inkscape's; yield what to say of each."""
     for attribute in ("fill", "stroke"):
         match = _URL.match(element.get(attribute, ""))
-        named = ids.get(match[1].strip()[1:], ()) if match else ()
+        named = ids.get(_id_in(match[1].strip(), ids), ()) if match else ()
         paint = next((_UNREAD[one.tag] for one in named if one.tag in _UNREAD), None)
         if paint is not None:
             element.set(attribute, _IN_PLACE)
@@ -101,10 +117,10 @@ def _missing(element: ET.Element, ids: Ids) -> Iterator[str]:
         if match is not None and not match[2].strip():
             shown.append(match[1].strip())
     for address in shown:
-        if address.startswith("#") and address[1:] not in ids:
+        if address.startswith("#") and _id_in(address, ids) not in ids:
             yield (
-                f"“{address[:60]}” is not in the file, so what refers to it was left out. Save the "
-                "whole drawing in one file."
+                f"“#{_id_in(address, ids)[:60]}” is not in the file, so what refers to it was left "
+                "out. Save the whole drawing in one file."
             )
 
 
@@ -114,7 +130,7 @@ def _resolve(element: ET.Element, name_of: Callable[[str, tuple[str, ...]], str 
         name = name_of(element.attrib["href"].strip(), kinds) if kinds else None
         if name is not None:
             element.set("href", f"#{name}")
-        elif element.tag != "image":
+        elif element.tag not in ("image", "feImage"):
             del element.attrib["href"]
     for attribute, kinds in _KINDS.items():
         if attribute == "filter" and attribute in element.attrib:

@@ -26,6 +26,7 @@ __all__ = [
     "Window",
     "render_colours",
     "render_coverage",
+    "render_png",
     "view_box",
 ]
 
@@ -129,6 +130,22 @@ def render_colours(
     return colours
 
 
+def render_png(
+    svg: str, frame: Frame, size: int, window: Window, background: str | None = None
+) -> bytes:
+    """Draw a window of ``frame`` of a document as a PNG, bitmaps and what is off its canvas, too.
+
+    ``background`` is the colour that it is drawn over; None for nothing.
+
+    Raises
+    ------
+    IconstudioError
+        If resvg cannot read the document.
+    """
+    root = _root(svg)
+    return _png(root, _view_box(root), frame, size, window, background, ())
+
+
 def _drawn(
     svg: str,
     frame: Frame,
@@ -140,12 +157,33 @@ def _drawn(
     """Return a picture, the document's canvas, and the picture's corner and unit in user space."""
     root = _root(svg)
     box = _view_box(root)
+    window = window or (0, 0, size, size)
+    png = _png(root, box, frame, size, window, background, fonts)
+    unit = frame.size / size
+    corner = frame.x + window[0] * unit, frame.y + window[1] * unit
+    from PIL import Image
+
+    with Image.open(io.BytesIO(png)) as image:
+        image.load()
+        return image, box, corner, unit
+
+
+def _png(
+    root: ET.Element,
+    box: Box,
+    frame: Frame,
+    size: int,
+    window: Window,
+    background: str | None,
+    fonts: Sequence[str],
+) -> bytes:
+    """Return a PNG of a window of a document, whose canvas is ``box``."""
     for name, value in zip(("x", "y", "width", "height"), box, strict=True):
         root.set(name, repr(float(value)))
     if "viewBox" not in root.attrib:
         root.set("viewBox", _numbers(box))
     root.set("overflow", "visible")
-    left, top, right, bottom = window or (0, 0, size, size)
+    left, top, right, bottom = window
     width, height = right - left, bottom - top
     unit = frame.size / size
     corner = frame.x + left * unit, frame.y + top * unit
@@ -154,17 +192,19 @@ def _drawn(
     outer.append(root)
     family = _FAMILY if fonts else None
     try:
-        png = svg_to_bytes(
-            svg_string=ET.tostring(outer, encoding="unicode"),
-            background=background,
-            # Without it, sizes in pt or mm raise.
-            dpi=96,
-            skip_system_fonts=True,
-            font_files=list(fonts) or None,
-            font_family=family,
-            serif_family=family,
-            sans_serif_family=family,
-            monospace_family=family,
+        return bytes(
+            svg_to_bytes(
+                svg_string=ET.tostring(outer, encoding="unicode"),
+                background=background,
+                # Without it, sizes in pt or mm raise.
+                dpi=96,
+                skip_system_fonts=True,
+                font_files=list(fonts) or None,
+                font_family=family,
+                serif_family=family,
+                sans_serif_family=family,
+                monospace_family=family,
+            )
         )
     except ValueError as error:
         raise IconstudioError(f"The SVG cannot be drawn: {error}.") from None
@@ -172,11 +212,6 @@ def _drawn(
         if type(error).__name__ != "PanicException":  # it cannot be imported
             raise
         raise IconstudioError("The SVG cannot be drawn: the renderer fails on it.") from None
-    from PIL import Image
-
-    with Image.open(io.BytesIO(png)) as image:
-        image.load()
-        return image, box, corner, unit
 
 
 def _root(svg: str) -> ET.Element:

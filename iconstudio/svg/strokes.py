@@ -1,9 +1,13 @@
 """Hairlines made thick enough to be seen, and dashes and patterns that are too fine, coarser."""
 
 import copy
+import re
 import xml.etree.ElementTree as ET
 from typing import NamedTuple
 
+import numpy as np
+
+from iconstudio.algorithms.tones.tone import near_white
 from iconstudio.model import CANVAS
 from iconstudio.svg.geometry import SHAPES, path_data, slender
 from iconstudio.svg.lengths import (
@@ -20,6 +24,7 @@ from iconstudio.svg.lengths import (
 
 _WIDTH = 3.7
 """Canvas units of the thinnest stroke of a drawing of hairlines."""
+_HEX = re.compile(r"#([0-9a-f]{2})([0-9a-f]{2})([0-9a-f]{2})", re.IGNORECASE)
 _FINE = 0.25
 """Canvas units: what repeats more closely is no more than a tone."""
 _TILE = 1.0
@@ -35,6 +40,8 @@ _FEW = 400
 
 _BESIDE_FILL = 0.1
 """A stroke around a fill is no line if it is narrower than this part of the thinnest stroke."""
+_UNSEEN = 0.5
+"""Canvas units: a narrower stroke is never ink, so around a fill in a colour it is no line."""
 _DEFINITIONS = ("clipPath", "mask", "marker", "pattern")
 """What is measured by itself, or by what it serves."""
 
@@ -49,6 +56,8 @@ class _Stroke(NamedTuple):
     stroke: str = "none"
     width: float = 1.0
     opacity: float = 1.0
+    fill_opacity: float = 1.0
+    stroke_opacity: float = 1.0
 
     def of(self, element: ET.Element, page: Box) -> "_Stroke":
         said = (element.get(name, "inherit") for name in ("fill", "stroke"))
@@ -58,7 +67,46 @@ class _Stroke(NamedTuple):
         )
         width = length(element.get("stroke-width"), max(page[2:]), self.width)
         opacity = self.opacity * length(element.get("opacity"), 1, 1)
-        return _Stroke(fill, stroke, width, opacity)
+        of_fill, of_stroke = (
+            length(element.get(f"{name}-opacity"), 1, before)
+            for name, before in (("fill", self.fill_opacity), ("stroke", self.stroke_opacity))
+        )
+        return _Stroke(fill, stroke, width, opacity, of_fill, of_stroke)
+
+    @property
+    def is_drawn(self) -> bool:
+        """Whether there is a stroke to be seen, however thin."""
+        return self.stroke != "none" and self.width > 0 and self.stroke_opacity > 0
+
+    @property
+    def is_beside_colour(self) -> bool:
+        """Whether there is a fill of another colour, which is not as white as paper."""
+        is_plain = self.fill != "none" and self.fill_opacity * self.opacity >= _SHEEN
+        match = _HEX.fullmatch(self.fill)
+        white = match and near_white(np.array([int(one, 16) for one in match.groups()], np.uint8))
+        return is_plain and self.fill != self.stroke and not white
+
+
+def bare(content: ET.Element, size: float, page: Box) -> ET.Element:
+    """Return a drawing without strokes that nobody sees, around fills in colours.
+
+    ``size`` is the side of the canvas in user space; ``page`` is what percentages refer to.
+    """
+    content = copy.deepcopy(content)
+    _strip(content, IDENTITY, _Stroke(), _UNSEEN * size / CANVAS, page)
+    return content
+
+
+def _strip(element: ET.Element, outer: Matrix, inherited: _Stroke, least: float, page: Box) -> None:
+    if element.tag in _DEFINITIONS:
+        return
+    matrix = multiplied(outer, transform(element.get("transform")) or IDENTITY)
+    own = inherited.of(element, page)
+    thin = own.is_drawn and 0 < own.width * scale_of(matrix) < least
+    if element.tag in SHAPES and thin and own.is_beside_colour:
+        element.set("stroke", "none")
+    for child in element:
+        _strip(child, matrix, own, least, page)
 
 
 def thickened(content: ET.Element, size: float, page: Box) -> ET.Element:
@@ -101,7 +149,7 @@ def _thicken(
         found = [_thicken(child, matrix, own, least, page, fills) for child in element]
         return any(found)
     scale = scale_of(matrix)
-    if own.stroke != "none" and own.width > 0:
+    if own.is_drawn:
         if own.width * scale >= least or not scale:
             return False
         is_filled = own.fill != "none" and not fills
@@ -110,16 +158,14 @@ def _thicken(
         element.attrib.pop("stroke-dasharray", None)
         width = least
     elif own.fill != "none" and scale:
-        opacity = own.opacity * length(element.get("fill-opacity"), 1, 1)
-        if not fills and opacity < _SHEEN:
+        if not fills and own.opacity * own.fill_opacity < _SHEEN:
             return False
         width = least if fills else _missing(path_data(element, page), scale, least)
         if not width:
             return False
         element.set("stroke", own.fill)
         element.set("stroke-dasharray", "none")
-        if "fill-opacity" in element.attrib:
-            element.set("stroke-opacity", element.attrib["fill-opacity"])
+        element.set("stroke-opacity", f"{own.fill_opacity:.6g}")
     else:
         return False
     element.set("stroke-width", f"{width / scale:.6g}")

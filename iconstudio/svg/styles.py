@@ -7,6 +7,7 @@ which every renderer reads alike.
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
+from urllib.parse import quote
 
 from iconstudio.svg import filters
 from iconstudio.svg.animation import ENDED, MIDWAY, MOVING, vanishes
@@ -16,6 +17,7 @@ from iconstudio.svg.colours import colour
 from iconstudio.svg.fonts import font
 from iconstudio.svg.instances import own_copies
 from iconstudio.svg.lengths import Box, page_of, whole_of
+from iconstudio.svg.properties import not_understood
 from iconstudio.svg.stylesheet import Declared, Frame, StyleSheet
 
 _COLOURS = ("color", "stop-color", "flood-color", "lighting-color")
@@ -64,6 +66,9 @@ _SHORTHANDS = {
     "-webkit-mask": ("mask",),
     "-webkit-mask-image": ("mask",),
     "-webkit-filter": ("filter",),
+    "-webkit-clip-path": ("clip-path",),
+    "-webkit-transform": ("transform",),
+    "-webkit-transform-origin": ("transform-origin",),
 }
 ONLY_IN_STYLE = ("mix-blend-mode", "isolation")
 """Properties that are no attributes."""
@@ -73,6 +78,11 @@ _BLEND_MODES = (
     "luminosity",
 )  # fmt: skip
 _DROPPED = ("style", "class")
+_MOTION = ("offset-path", "offset", "motion-path")
+_UNMOVED = (
+    "A path of motion (offset-path) was left out: what moves along it was drawn where it stands "
+    "without. Place it by a transform."
+)
 
 _NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[+-]?\d+)?"
 _LENGTH = re.compile(rf"({_NUMBER})\s*([a-z]*|%)", re.IGNORECASE)
@@ -113,6 +123,7 @@ def apply_styles(root: ET.Element, midway: bool = False) -> list[str]:
     matched += own_copies(root, matched, parents)
     for element, declared in matched:
         declared += _ends(declared, sheet, remarks, midway)
+        remarks += [_UNMOVED for name, value, _ in declared if name in _MOTION and "(" in value]
         own = {name: value for name, value, _ in declared if name.startswith("--")}
         above = parents.get(element)
         inherited = {} if above is None else variables.get(above, {})
@@ -151,21 +162,17 @@ def _animated(declared: list[Declared], frames: Sequence[Frame]) -> dict[str, st
     return {name: value for name, value, _ in declared if name in names}
 
 
-def _by_property(declared: list[Declared], variables: dict[str, str]) -> dict[str, list[str]]:
-    """Return the values of each property, the strongest last."""
-    found: dict[str, list[str]] = {}
-
-    def add(name: str, value: str) -> None:
-        if name in PROPERTIES:
-            found.setdefault(name, []).append(value)
-
+def _by_property(
+    declared: list[Declared], variables: dict[str, str]
+) -> dict[str, list[tuple[str, str]]]:
+    """Return the values of each property, by what it is called there, the strongest last."""
+    found: dict[str, list[tuple[str, str]]] = {}
     for name, value, _ in declared:
-        if name == "font":
-            for one, part in _font(value, variables).items():
-                add(one, part)
-            continue
-        for one in _SHORTHANDS.get(name, (name,)):
-            add(one, value)
+        parts = _font(value, variables) if name == "font" else None
+        for one in _SHORTHANDS.get(name, (name,)) if parts is None else parts:
+            if one in PROPERTIES:
+                said = (name, value) if parts is None else (one, parts[one])
+                found.setdefault(one, []).append(said)
     return found
 
 
@@ -179,7 +186,7 @@ def _font(value: str, variables: dict[str, str]) -> dict[str, str]:
 
 def _apply(
     element: ET.Element,
-    values: dict[str, list[str]],
+    values: dict[str, list[tuple[str, str]]],
     variables: dict[str, str],
     page: Box | None,
     remarks: list[str],
@@ -192,7 +199,7 @@ def _apply(
             continue
         found = _first(name, candidates, variables, page)
         if found is None:
-            remarks.append(f"“{name}: {candidates[-1][:40]}” was not understood and left out.")
+            remarks.append(not_understood(*candidates[-1]))
         if found:
             element.set(name, found)
         elif name in element.attrib:
@@ -200,10 +207,13 @@ def _apply(
 
 
 def _first(
-    name: str, candidates: list[str], variables: dict[str, str], page: Box | None
+    name: str,
+    candidates: list[tuple[str, str]],
+    variables: dict[str, str],
+    page: Box | None,
 ) -> str | None:
     """Return the strongest value that is understood; "" if none is to be set, None if none is."""
-    for candidate in reversed(candidates):
+    for _, candidate in reversed(candidates):
         try:
             value = calculated(_substituted(candidate, variables), page and whole_of(name, page))
         except _UnsetError:
@@ -296,7 +306,8 @@ def _paint(value: str) -> str | None:
 
 
 def _target(match: re.Match[str]) -> str:
-    return (match[1] or match[2] or match[3] or "").strip().replace(" ", "%20")
+    said = (match[1] or match[2] or match[3] or "").strip()
+    return re.sub(r"[\s()\"']", lambda one: quote(one[0]), said)
 
 
 def _opacity(word: str) -> str | None:

@@ -144,3 +144,38 @@ def test_drawings_within_drawings_end():
         address = f"data:image/svg+xml;base64,{inner}"
         document = svg(f'{PATH}<image width="9" height="9" href="{address}"/>')
     assert any("was left out" in remark for remark in read(document).remarks)
+
+
+LEFT_OUT = {
+    "offset-path: path('M2 2L9 9'); offset-distance: 50%": "A path of motion (offset-path)",
+    "offset: path('M2 2L9 9') 50% auto": "A path of motion (offset-path)",
+    "mask-image: linear-gradient(#000 50%, transparent 50%)": (
+        "“mask-image: linear-gradient(#000 50%, transparent 50%)” was not understood"
+    ),
+    "-webkit-mask: radial-gradient(circle, #000 50%, #0000 51%)": "“-webkit-mask: radial-gradient(",
+    f"clip-path: shape({'from 0 0, ' * 9})": f"shape({'from 0 0, ' * 5}from…” was not understood",
+    "transform: perspective(99px) rotateY(40deg)": "“transform: perspective(99px) rotateY(",
+}
+
+
+@pytest.mark.parametrize("style", LEFT_OUT)
+def test_what_moves_or_cuts_and_is_not_drawn_is_told(style):
+    assert_shows(svg(f'<g style="{style}">{PATH}</g>'), PATH, remarks=[LEFT_OUT[style]])
+
+
+@pytest.mark.parametrize("style", ["offset-path: none", "offset-rotate: 45deg", "offset: none"])
+def test_what_moves_nothing_is_not_told(style):
+    assert_shows(svg(f'<g style="{style}">{PATH}</g>'), PATH)
+
+
+@pytest.mark.parametrize(
+    "style",
+    [
+        "-webkit-clip-path: polygon(0 0, 12px 0, 12px 24px, 0 24px) view-box",
+        "-webkit-transform: scale(.5, 1)",
+        "-webkit-transform: scale(.5, 1); -webkit-transform-origin: 0 0",
+    ],
+)
+def test_older_names_of_properties_are_read(style):
+    page = '<path d="M0 0h24v24H0z"/>'
+    assert_shows(svg(f'<g style="{style}">{page}</g>'), '<path d="M0 0h12v24H0z"/>')

@@ -148,3 +148,46 @@ def test_drops_that_run_into_each_other_are_no_shadow():
     own = read(svg(f'{sharpened}<g filter="url(#g)">{drops}</g>'))
     assert not own.remarks
     assert rasterise(own.svg)[1][128, 128] > 127
+
+
+RED = '<circle cx="12" cy="12" r="10" fill="#c33"{}/>'
+LIGHT = '<feDistantLight azimuth="235" elevation="40"/>'
+LIT = {
+    "bevel": '<feGaussianBlur in="SourceAlpha" stdDeviation=".5" result="b"/>'
+    f'<feSpecularLighting in="b" surfaceScale="5" result="s">{LIGHT}</feSpecularLighting>'
+    '<feComposite in="s" in2="SourceAlpha" operator="in" result="t"/>'
+    '<feComposite in="SourceGraphic" in2="t" operator="arithmetic" k2="1" k3="1"/>',
+    "diffuse": f'<feDiffuseLighting surfaceScale="3">{LIGHT}</feDiffuseLighting>'
+    '<feComposite in2="SourceAlpha" operator="in"/>',
+    "multiplied": f'<feDiffuseLighting in="SourceAlpha" result="l">{LIGHT}</feDiffuseLighting>'
+    '<feComposite in="SourceGraphic" in2="l" operator="arithmetic" k1="1"/>',
+}
+
+
+@pytest.mark.parametrize("kind", LIT)
+def test_light_is_left_out_and_told(kind):
+    filters = f'<filter id="f">{LIT[kind]}</filter>'
+    for attribute in ('filter="url(#f)"', 'style="filter:url(#f) brightness(.9)"'):
+        document = svg(f"{filters}{RED.format(' ' + attribute)}")
+        assert_shows(document, RED.format(""), remarks=["Light on a surface"])
+
+
+def test_light_and_shadow_are_both_told():
+    filters = f'<filter id="f">{LIT["bevel"]}</filter>'
+    style = ' style="filter:url(#f) drop-shadow(1px 1px 1px #000)"'
+    document = svg(filters + RED.format(style))
+    assert_shows(document, RED.format(""), remarks=["shadow", "Light on a surface"])
+
+
+@pytest.mark.parametrize(
+    ("href", "said"),
+    [
+        ("#x", "A part of the drawing that a filter repeats"),
+        ("data:image/png;base64,AA==", "A bitmap in a filter"),
+        ("a.png", "A bitmap in another file"),
+    ],
+)
+def test_an_image_in_a_filter_is_told_as_what_it_is(href, said):
+    repeated = f'<filter id="f"><feImage href="{href}"/></filter>'
+    body = f'{repeated}{DISC}<path filter="url(#f)" d="M0 0h1v1H0z"/>'
+    assert_shows(svg(body.replace("<circle", '<circle id="x"')), DISC, remarks=[said])

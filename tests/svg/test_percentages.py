@@ -44,6 +44,8 @@ FACE = (
         'stroke="#000" stroke-width="0.00064"',
         'stroke="#f0f" stroke-width="0.01"',
         'stroke="#000" stroke-width="0"',
+        'stroke="#000" stroke-width=".03"',
+        'stroke="#000" stroke-opacity="0"',
     ],
 )
 def test_a_stroke_that_nobody_sees_beside_a_fill_is_no_line(stroke):
@@ -53,6 +55,13 @@ def test_a_stroke_that_nobody_sees_beside_a_fill_is_no_line(stroke):
 def test_a_hairline_in_the_colour_of_its_fill_changes_nothing():
     square = '<path d="M4 4h16v16H4z" fill="#000"{}/>'
     assert_shows(svg(square.format(' stroke="#000" stroke-width=".05"')), square.format(""))
+
+
+def test_a_hairline_around_white_is_its_line():
+    page = '<path d="M3 3h18v18H3z" fill="#fff" stroke="#000" stroke-width="{}"/>'
+    dot = '<circle cx="12" cy="12" r="4" fill="#24c" stroke="#000" stroke-width="{}"/>'
+    body = page.format(".03") + dot.format(".03")
+    assert_shows(svg(body), page.format(".2") + dot.format("0"), 0.9, remarks=["too thin"])
 
 
 def test_a_hairline_alone_is_still_drawn_thicker_and_told():

@@ -182,3 +182,43 @@ def test_a_line_along_which_a_long_dash_runs_is_drawn_whole():
     for shape, dashes in ((wind, "2 1"), (ring, "20 37")):
         still = whole.replace(wind, f'{shape} stroke-dasharray="{dashes}"')
         assert_shows(running(shape, "0;160", dashes), still, remarks=["before it does"])
+
+
+def template(*names):
+    """Return a template of SF Symbols: a wider square for each weight, its first letter's code."""
+    symbols = "".join(
+        f'<g id="{name}" transform="matrix(1 0 0 1 {number * 300} 696)">'
+        f'<path class="monochrome-0" d="M0 0h{ord(name[0])}v-100h-{ord(name[0])}z"/></g>'
+        for number, name in enumerate(names)
+    )
+    return svg(
+        '<style>.monochrome-0{fill:#000}</style><g id="Notes"><text y="322">Weights</text>'
+        '<rect id="artboard" style="fill:white" width="3300" height="2200"/></g>'
+        '<g id="Guides"><path id="Baseline-S" style="fill:none;stroke:#27AAE1" d="M263 696H3036"/>'
+        f'</g><g id="Symbols">{symbols}</g>',
+        'width="3300" height="2200"',
+    )
+
+
+@pytest.mark.parametrize(
+    ("names", "usual"),
+    [
+        (("Black-S", "Regular-S", "Regular-M", "Ultralight-M"), "Regular-M"),
+        (("Black-S", "Regular-S", "Ultralight-S"), "Regular-S"),
+        (("Ultralight-M", "Black-M", "Semibold-L"), "Semibold-L"),
+    ],
+)
+def test_a_template_of_sf_symbols_is_its_usual_symbol(names, usual):
+    width = ord(usual[0])
+    expected = f'<path d="M0 0h{width / 5}v20h-{width / 5}z"/>'
+    assert_shows(template(*names), expected, remarks=[f"“{usual}”"])
+
+
+def test_another_symbol_of_a_template_is_chosen():
+    drawn = chosen(template("Regular-M", "Bold-M"), "Bold-M")
+    assert overlap(drawn, ink(svg(f'<path d="M0 0h{ord("B") / 5}v20h-{ord("B") / 5}z"/>'))) > 0.985
+
+
+def test_parts_that_are_called_like_those_of_templates_are_none():
+    parts = f'<g id="Symbols"><g id="Regular-M">{PATH}</g></g>'
+    assert_shows(svg(parts), PATH)

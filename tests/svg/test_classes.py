@@ -1,0 +1,86 @@
+"""Classes without rules in the file are told where they would show, and only there."""
+
+import pytest
+
+from iconstudio.svg.reading import own_svg
+from tests.svg.pictures import BODY, WINDOW, read, svg
+
+HOUSE, PANE = f'<path{{}} d="{BODY}"/>', f'<path{{}} d="{WINDOW}"/>'
+LINES = 'fill="none" stroke="currentColor" stroke-width="2"'
+MISSED = {
+    "fill-none": ' class="h-6 w-6 fill-none"',
+    "stroke-current": ' class="h-6 stroke-current"',
+    "stroke-red-500": ' class="stroke-red-500"',
+    "stroke-2": ' class="size-6 stroke-2" fill="none" stroke="currentColor"',
+    "stroke-[1.5]": ' class="stroke-[1.5]" stroke="#000"',
+    "cls-1": ' class="cls-1"',
+    "st0": ' class="st0"',
+}
+
+
+@pytest.mark.parametrize("name", MISSED)
+def test_a_class_that_nothing_else_stands_for_is_told(name):
+    for document in (
+        svg(HOUSE.format(MISSED[name])),
+        svg(HOUSE.format(""), f'viewBox="0 0 24 24" {MISSED[name]}'),
+    ):
+        (remark,) = (one for one in read(document).remarks if "no rules" in one)
+        assert f"“{name}”" in remark
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [("fill-red-500", "fill-[#00f]"), ("fill-primary", ""), ("fill-current", "fill-white")],
+)
+def test_fills_that_differ_are_told(one, other):
+    body = HOUSE.format(f' class="{one}"') + PANE.format(f' class="{other}"')
+    assert "no rules" in read(svg(body)).remarks[0]
+
+
+def test_the_faint_ring_of_a_spinner_is_told():
+    spinner = (
+        f'<circle class="opacity-25" cx="12" cy="12" r="10" {LINES}/>'
+        '<path class="opacity-75" fill="currentColor" d="M4 12a8 8 0 018-8V0C5.4 0 0 5.4 0 12z"/>'
+    )
+    assert "“opacity-25”" in read(svg(spinner)).remarks[0]
+
+
+def test_classes_of_code_are_told():
+    code = f'export default () => <svg className="fill-none stroke-2">{HOUSE.format("")}</svg>'
+    assert "no rules" in own_svg(code.encode(), "house.jsx").remarks[0]
+
+
+ORDINARY = {
+    "lucide": f'class="lucide lucide-house" {LINES}',
+    "feather": f'class="feather feather-home" {LINES}',
+    "bootstrap": 'class="bi bi-house-fill" fill="currentColor"',
+    "font awesome": 'class="svg-inline--fa fa-house fa-w-16" aria-hidden="true"',
+    "tabler": f'class="icon icon-tabler icon-tabler-home stroke-2" {LINES}',
+    "heroicons": f'class="size-6 stroke-current fill-none" {LINES}',
+    "zondicons": 'class="fill-current text-teal-500 inline-block h-12 w-12"',
+    "one colour": 'class="h-5 fill-indigo-600"',
+    "dark": 'class="fill-black dark:fill-white hover:stroke-2"',
+    "material": 'class="MuiSvgIcon-root MuiSvgIcon-fontSizeMedium css-vubbuv" focusable="false"',
+    "octicons": 'class="octicon octicon-home" fill="currentColor"',
+    "phosphor": 'class="ph ph-house-fill" fill="#000000"',
+    "remix": 'class="remixicon h-6 w-6 ri-home-fill" fill="currentColor"',
+    "iconfont": 'class="icon" p-id="2351" fill="#d81e06"',
+    "carbon": 'class="bx--btn__icon" fill="currentColor"',
+    "ruled": 'class="st0 cls-1 fill-none"',
+    "same as attributes": 'class="cls-1 fill-red-500 opacity-50" opacity="1" fill="#f00"',
+}
+RULES = "<style>.st0,.cls-1{fill:#111}.fill-none{stroke:none}</style>"
+
+
+@pytest.mark.parametrize("kind", ORDINARY)
+def test_ordinary_classes_are_not_told(kind):
+    document = svg(RULES + HOUSE.format(' class="a"'), f'viewBox="0 0 24 24" {ORDINARY[kind]}')
+    if kind != "ruled":
+        document = document.replace(RULES, "")
+    assert read(document).remarks == ()
+
+
+def test_rules_with_escaped_names_are_found():
+    rules = r"<style>.fill-\[\#f00\]{fill:#f00}.stroke-1\.5{stroke-width:1.5}</style>"
+    body = HOUSE.format(' class="fill-[#f00]"') + PANE.format(' class="stroke-1.5" stroke="#f00"')
+    assert not any("no rules" in one for one in read(svg(rules + body)).remarks)
