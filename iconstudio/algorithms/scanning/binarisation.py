@@ -36,6 +36,7 @@ from iconstudio.algorithms.scanning.flat import flat_drawing
 from iconstudio.algorithms.scanning.free import LARGE, free_drawing, on_nothing
 from iconstudio.algorithms.scanning.margin import box_of, rim_of, with_margin, without_half_lines
 from iconstudio.algorithms.scanning.noise import without_noise
+from iconstudio.algorithms.scanning.pale import darkened
 from iconstudio.algorithms.scanning.paper import trend
 from iconstudio.algorithms.scanning.printed import without_print
 from iconstudio.algorithms.scanning.punched import punch_holes
@@ -48,6 +49,7 @@ from iconstudio.algorithms.scanning.resampling import (
     shrunk,
 )
 from iconstudio.algorithms.scanning.shadow import without_shadow
+from iconstudio.algorithms.scanning.sharpened import unsharpened
 from iconstudio.algorithms.scanning.sheet import photographed_sheet
 from iconstudio.algorithms.scanning.uneven import uneven_light
 from iconstudio.algorithms.tones.alternation import Omission
@@ -191,6 +193,8 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     """
     if is_plain(pixels):
         raise IconstudioError(PLAIN)
+    if not inverted:
+        pixels = unsharpened(darkened(pixels))
     pixels = at_own_resolution(without_dithering(in_squares(unrepeated(pixels))))
     if is_noise(pixels):
         return replace(scanned(pixels, inverted), found=False)
