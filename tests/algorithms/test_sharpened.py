@@ -67,6 +67,18 @@ def test_what_was_not_sharpened_is_as_it_is(kind, quality):
         assert unsharpened(picture) is picture
 
 
+def test_thin_black_lines_that_were_sharpened_stay_whole():
+    house = '<path d="M4 10l8-7 8 7v11H4zM9 21v-8h6v8" fill="none" stroke="#000" stroke-width="2"/>'
+    picture = Image.new("RGB", (64, 64), "white")
+    free = Image.fromarray(rgba(house, 56))
+    picture.paste(free, (4, 4), free)
+    inks = (
+        ink_of(recognised(np.asarray(one))).astype(float)
+        for one in (picture, picture.filter(ImageFilter.UnsharpMask(2, 150, 0)))
+    )
+    assert scans.iou(*map(scans.fitted, inks)) > 0.85
+
+
 @pytest.mark.parametrize("quality", [0, 75])
 def test_shading_along_pale_edges_makes_no_difference(quality):
     """As on a hand in three dimensions, which may look as if it had been sharpened."""

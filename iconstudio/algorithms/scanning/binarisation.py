@@ -14,6 +14,7 @@ from iconstudio.algorithms.extremes import maximum_filter, minimum_filter
 from iconstudio.algorithms.scanning.behind import left_behind
 from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
 from iconstudio.algorithms.scanning.covered import covered
+from iconstudio.algorithms.scanning.dark_edge import dark_edge
 from iconstudio.algorithms.scanning.darkness import darkness, ground_of, seen_through
 from iconstudio.algorithms.scanning.dithering import without_dithering
 from iconstudio.algorithms.scanning.doubts import (
@@ -201,7 +202,11 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     left_out: frozenset[Omission] = frozenset()
     if pixels.shape[2] == 3 and not inverted:
         small = shrunk(pixels, _step(pixels))
-        for what, find in ((Omission.FINGER, finger), (Omission.HOLES, punch_holes)):
+        for what, find in (
+            (Omission.DESK, dark_edge),
+            (Omission.FINGER, finger),
+            (Omission.HOLES, punch_holes),
+        ):
             over = find(small)
             if over is not None:
                 pixels = covered(pixels, small, over)

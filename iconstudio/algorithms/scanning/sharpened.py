@@ -24,8 +24,9 @@ _ROUNDS = 6
 """How often a picture is sharpened again to learn what was lost where it is black or white."""
 _EVEN, _ACROSS = 12.0, 5
 """Levels by which what is even differs, at most, within so many pixels."""
-_WIDE = 7
-"""Pixels across of what is white or black by itself, and not only by what was added."""
+_WIDE, _ADDED = 5, 40.0
+"""Pixels across of what is white or black by itself, and by how many levels more than what is
+beside it: not only by what was added."""
 _EDGE, _NEAR = 40.0, 11
 """Levels by which an edge differs within three pixels, at least, and pixels across around it."""
 _TELLS, _LEFT = 0.05, 0.84
@@ -88,11 +89,13 @@ def _undone(levels: NDArray[np.float32], radius: float, amount: float) -> NDArra
         whole = np.where(black, np.minimum(again, levels), whole)
         before = np.clip((whole + amount * soft) / (1 + amount), 0, 255)
     # How much was lost there cannot be known, but what is beside it can.
-    size = (_WIDE, _WIDE, 1)
+    size = (_WIDE + 2, _WIDE + 2, 1)
     beside = maximum_filter(np.where(white, 0, before), size)
-    before = np.where(_is_slim(white), np.minimum(before, beside), before)
+    added = _is_slim(white) & (before - beside < _ADDED)
+    before = np.where(added, np.minimum(before, beside), before)
     beside = minimum_filter(np.where(black, 255, before), size)
-    return np.where(_is_slim(black), np.maximum(before, beside), before)
+    added = _is_slim(black) & (beside - before < _ADDED)
+    return np.where(added, np.maximum(before, beside), before)
 
 
 def _is_slim(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
