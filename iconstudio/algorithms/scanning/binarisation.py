@@ -195,8 +195,10 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     if is_plain(pixels):
         raise IconstudioError(PLAIN)
     if not inverted:
-        pixels = unsharpened(darkened(pixels))
-    pixels = at_own_resolution(without_dithering(in_squares(unrepeated(pixels))))
+        pixels = darkened(pixels)
+    pixels = without_dithering(in_squares(unrepeated(pixels)))
+    own = at_own_resolution(pixels)  # what enlarges softly sharpens, too, and is told better
+    pixels = unsharpened(pixels) if own is pixels and not inverted else own
     if is_noise(pixels):
         return replace(scanned(pixels, inverted), found=False)
     left_out: frozenset[Omission] = frozenset()
