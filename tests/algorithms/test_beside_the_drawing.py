@@ -93,7 +93,9 @@ def test_dots_of_a_drawing_are_no_holes():
 
 
 @pytest.mark.parametrize("subject", SUBJECTS)
-@pytest.mark.parametrize("skin", [(224, 172, 140), (150, 100, 75), (238, 196, 170), (95, 62, 48)])
+@pytest.mark.parametrize(
+    "skin", [(224, 172, 140), (150, 100, 75), (238, 196, 170), (95, 62, 48), (58, 37, 29)]
+)
 def test_a_finger_is_left_out_and_told(subject, skin):
     picture, draw = sheet((800, 800), (240, 238, 232))
     SUBJECTS[subject](draw, 400, 350, 190, 9)
@@ -107,6 +109,13 @@ def test_a_finger_is_left_out_and_told(subject, skin):
     found = recognised(photo(picture, light=0.15))
     assert Omission.FINGER in found.omissions
     assert shows(found, subject)
+
+
+@pytest.mark.parametrize("ink", [(30, 30, 32), (36, 32, 30), (20, 17, 15)])
+def test_black_ink_at_the_edge_is_no_finger_even_in_warm_light(ink):
+    picture, draw = sheet((400, 400), (240, 232, 218))
+    draw.rounded_rectangle([150, 260, 250, 500], 50, fill=ink)
+    assert finger(photo(picture) / np.float32(255)) is None
 
 
 def test_what_a_computer_painted_in_the_colour_of_skin_is_no_finger():

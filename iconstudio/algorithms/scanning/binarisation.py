@@ -14,6 +14,7 @@ from iconstudio.algorithms.extremes import maximum_filter, minimum_filter
 from iconstudio.algorithms.scanning.behind import left_behind
 from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
 from iconstudio.algorithms.scanning.covered import covered
+from iconstudio.algorithms.scanning.dark_edge import dark_edge
 from iconstudio.algorithms.scanning.darkness import darkness, ground_of, seen_through
 from iconstudio.algorithms.scanning.dithering import without_dithering
 from iconstudio.algorithms.scanning.doubts import (
@@ -36,6 +37,7 @@ from iconstudio.algorithms.scanning.flat import flat_drawing
 from iconstudio.algorithms.scanning.free import LARGE, free_drawing, on_nothing
 from iconstudio.algorithms.scanning.margin import box_of, rim_of, with_margin, without_half_lines
 from iconstudio.algorithms.scanning.noise import without_noise
+from iconstudio.algorithms.scanning.pale import darkened
 from iconstudio.algorithms.scanning.paper import trend
 from iconstudio.algorithms.scanning.printed import without_print
 from iconstudio.algorithms.scanning.punched import punch_holes
@@ -48,6 +50,7 @@ from iconstudio.algorithms.scanning.resampling import (
     shrunk,
 )
 from iconstudio.algorithms.scanning.shadow import without_shadow
+from iconstudio.algorithms.scanning.sharpened import unsharpened
 from iconstudio.algorithms.scanning.sheet import photographed_sheet
 from iconstudio.algorithms.scanning.uneven import uneven_light
 from iconstudio.algorithms.tones.alternation import Omission
@@ -191,13 +194,21 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     """
     if is_plain(pixels):
         raise IconstudioError(PLAIN)
-    pixels = at_own_resolution(without_dithering(in_squares(unrepeated(pixels))))
+    if not inverted:
+        pixels = darkened(pixels)
+    pixels = without_dithering(in_squares(unrepeated(pixels)))
+    own = at_own_resolution(pixels)  # what enlarges softly sharpens, too, and is told better
+    pixels = unsharpened(pixels) if own is pixels and not inverted else own
     if is_noise(pixels):
         return replace(scanned(pixels, inverted), found=False)
     left_out: frozenset[Omission] = frozenset()
     if pixels.shape[2] == 3 and not inverted:
         small = shrunk(pixels, _step(pixels))
-        for what, find in ((Omission.FINGER, finger), (Omission.HOLES, punch_holes)):
+        for what, find in (
+            (Omission.DESK, dark_edge),
+            (Omission.FINGER, finger),
+            (Omission.HOLES, punch_holes),
+        ):
             over = find(small)
             if over is not None:
                 pixels = covered(pixels, small, over)

@@ -8,10 +8,12 @@ from iconstudio.algorithms.scanning.ground import unevenness
 from iconstudio.algorithms.scanning.margin import rim_of
 from iconstudio.algorithms.tones.regions import Mask, cielab, hull
 
-_LIGHTNESS, _CHROMA, _HUE = (20.0, 90.0), (9.0, 50.0), (25.0, 85.0)
+_LIGHTNESS, _CHROMA, _HUE = (6.0, 90.0), (9.0, 50.0), (25.0, 85.0)
 """Skin in CIELAB, of whatever complexion, with its shadows; its hue in degrees."""
 _SURE = 14.0
 """Chroma that a good part of a finger has."""
+_DARKER, _SURELY = 0.35, 0.45
+"""As part of its lightness, if that is less: dark skin has less chroma, and black ink none."""
 _THICK = 0.03
 """Half the width of a finger, as part of the shorter side of the photo, at least."""
 _SMALLEST, _LARGEST = 0.004, 0.2
@@ -37,8 +39,9 @@ def finger(picture: NDArray[np.float32]) -> Mask | None:
     chroma = np.hypot(lab[..., 1], lab[..., 2])
     hue = np.degrees(np.arctan2(lab[..., 2], lab[..., 1]))
     skin = np.ones(chroma.shape, bool)
-    for values, (least, most) in ((lab[..., 0], _LIGHTNESS), (chroma, _CHROMA), (hue, _HUE)):
+    for values, (least, most) in ((lab[..., 0], _LIGHTNESS), (hue, _HUE)):
         skin &= (values > least) & (values < most)
+    skin &= (chroma > np.minimum(_CHROMA[0], _DARKER * lab[..., 0])) & (chroma < _CHROMA[1])
     rim = rim_of(skin)
     if not rim.any() or rim.mean() > _RIM or np.median(rim_of(lab[..., 0])) < _LIGHT:
         return None
@@ -50,7 +53,7 @@ def finger(picture: NDArray[np.float32]) -> Mask | None:
     for number in set(rim_of(pieces)[rim_of(pieces) > 0]):
         one = pieces == number
         share = one.mean()
-        sure = np.median(chroma[one]) > _SURE
+        sure = np.median(chroma[one] - np.minimum(_SURE, _SURELY * lab[one, 0])) > 0
         if _SMALLEST < share < _LARGEST and sure and even[one].mean() < _PAINTED and _is_round(one):
             fingers |= one
     if not fingers.any():

@@ -42,6 +42,8 @@ _CLEAN = 5.0
 """Levels by which pixels of a ground that a computer painted stray in the median, at most."""
 _TINY = 40
 """Pixels of the longer side of a bitmap in which noise cannot be told from what is drawn."""
+_BROAD = 9
+"""Pixels across, of what is near an edge."""
 _GENTLE, _ALONG, _TINTED = 5.0, 0.9, 0.25
 """Levels by which a gradient changes within three pixels at most; how much of the rim does so, and
 how much of it is coloured, at least."""
@@ -80,6 +82,16 @@ def unevenness(levels: NDArray[np.float32], size: int) -> NDArray[np.float32]:
     low = minimum_filter(levels, (size, size, 1))
     most: NDArray[np.float32] = greatest_channel(high - low)
     return most
+
+
+def sharpness(levels: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return (h, w) how much of what a picture (h, w, c) differs by near by it does at once.
+
+    From 0 to 1: within three pixels, as part of within nine.
+    """
+    within, near = (unevenness(levels, size) for size in (3, _BROAD))
+    sharp = np.divide(within, np.maximum(near, 1e-6), dtype=np.float32)
+    return sharp
 
 
 def is_gradient(pixels: NDArray[np.uint8]) -> bool:

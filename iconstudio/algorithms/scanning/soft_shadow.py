@@ -12,7 +12,7 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.extremes import greatest_channel
-from iconstudio.algorithms.scanning.ground import Ground, unevenness
+from iconstudio.algorithms.scanning.ground import Ground, sharpness, unevenness
 from iconstudio.algorithms.scanning.resampling import resized
 from iconstudio.algorithms.tones.regions import Mask
 
@@ -32,11 +32,13 @@ _SEEN, _LEAST = 0.03, 0.03
 """How dark a shadow is where it is seen, as part of its ground, and how large what is seen is."""
 _FADED = 0.5
 """How dark it is where it meets the ground at most, as part of how dark it is elsewhere."""
+_STEEP = 0.7
+"""How sharp the edge of a shadow is at most."""
 _DEEPEST, _AMISS = 0.65, 0.1
 """How dark a shadow is at most; how much darker or brighter than is told of it."""
-_SHARP, _BROAD, _SOMEWHERE = 0.6, 9, 80
-"""How much of what the contour of a drawing differs by within so many pixels it does within three,
-where it is sharp: in so many per cent of one that is blurred itself it does by less."""
+_SHARP, _SOMEWHERE = 0.6, 80
+"""How sharp the contour of a drawing is: in so many per cent of one that is blurred itself it is
+less so."""
 _FAR = 0.3
 """How far a shadow is shifted at most, as part of the longer side."""
 _DENSE = 0.12, 1.0
@@ -103,10 +105,9 @@ def soft_shadow(
 def _is_sharp(levels: NDArray[np.float32], drawn: Mask) -> bool:
     """Whether a drawing has a sharp contour, here and there at least."""
     contour = drawn & ~scipy.ndimage.binary_erosion(drawn, np.ones((3, 3)), border_value=1)
-    within, across = (unevenness(levels, size)[contour] for size in (3, _BROAD))
     if not contour.any():
         return False
-    return bool(np.percentile(within / np.maximum(across, 1), _SOMEWHERE) > _SHARP)
+    return bool(np.percentile(sharpness(levels)[contour], _SOMEWHERE) > _SHARP)
 
 
 def _ways(levels: NDArray[np.float32], dark: Mask, depth: NDArray[np.float32]) -> Iterator[Mask]:
@@ -127,7 +128,13 @@ def _fades(depth: NDArray[np.float32], outside: Mask, ground: Mask) -> bool:
     seen = outside & (depth > _SEEN)
     if not seen.any() or not meets.any():
         return False
-    return bool(np.median(depth[meets]) < _FADED * np.percentile(depth[seen], 90))
+    deepest = np.percentile(depth[seen], 90)
+    if np.median(depth[meets]) >= _FADED * deepest:
+        return False
+    # Beside a pale drawing, files leave noise that fades as well.
+    half = outside & (depth > _FADED * deepest)
+    edge = half & ~scipy.ndimage.binary_erosion(half | ~outside, border_value=1)
+    return bool(not edge.any() or np.median(sharpness(depth[..., None])[edge]) < _STEEP)
 
 
 def _alike(levels: NDArray[np.float32], even: Mask) -> Mask:
