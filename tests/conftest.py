@@ -42,7 +42,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     thorough = "thorough(but=0): a long sweep; only so many of its cases run without --thorough"
     config.addinivalue_line("markers", thorough)
-    if not PROCESS and config.args_source is not pytest.Config.ArgsSource.TESTPATHS:
+    if config.args_source is not pytest.Config.ArgsSource.TESTPATHS:
         config.option.thorough = True  # who names tests means all of them
     for name in ("pytest-qt", "_qt_logging") if MISSING else ():
         if config.pluginmanager.has_plugin(name):
