@@ -1,10 +1,11 @@
 """The folder that a run without a window fills."""
 
+import hashlib
 import json
 import os
 import re
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -20,7 +21,8 @@ _REPORT = "results.json"
 _KINDS = (".svg", ".png", ".npz")
 _MOST_BYTES = 100_000_000
 _SOON = 2.0
-"""Seconds after its report in which a run may have written a file: clocks of disks are coarse."""
+"""Seconds after a report without digests in which its run may have written a file: clocks of disks
+are coarse."""
 
 
 def check_folder(path: Path) -> None:
@@ -108,7 +110,7 @@ class ResultsFolder(Folder):
         super().__init__(path)
         self._kind = kind
         self._before = _listed(path / _REPORT, kind)
-        self._written: set[str] = set()
+        self._written: dict[str, str] = {}
         names = re.compile(rf"(?:{stems})(?:-sources)?(?:{'|'.join(map(re.escape, _KINDS))})")
         for name in sorted(os.listdir(path)) if path.is_dir() else ():
             if names.fullmatch(name):
@@ -118,19 +120,20 @@ class ResultsFolder(Folder):
         """Write a file."""
         if name not in self._written:
             self._check_free(name)
-            self._written.add(name)
-            self._report({"finished": False}, self._before | self._written)
+        self._written[name] = _digest(content)
+        self._report({"finished": False}, self._before | self._written)
         super().write(name, content)
 
     def write_report(self, report: dict[str, Any]) -> None:
         """Write ``results.json``; what the one before lists, and this run has not, is removed."""
-        for name in self._before - self._written:
+        for name in self._before.keys() - self._written.keys():
             with suppress(OSError):  # it is in nobody's way
                 (self._path / name).unlink()
         self._report(report | {"finished": True}, self._written)
 
-    def _report(self, report: dict[str, Any], files: Iterable[str]) -> None:
-        report = report | {"kind": self._kind, "files": sorted(files)}
+    def _report(self, report: dict[str, Any], files: Mapping[str, str]) -> None:
+        listed = {"kind": self._kind, "files": sorted(files), "digests": files}
+        report = report | listed
         text = json.dumps(report, indent=1, ensure_ascii=False, allow_nan=False)
         super().write(_REPORT, text.encode())
 
@@ -149,10 +152,10 @@ def _unwritable(path: Path, error: OSError) -> IconstudioError:
     )
 
 
-def _listed(report: Path, kind: str) -> set[str]:
+def _listed(report: Path, kind: str) -> dict[str, str]:
     """Return the files beside a report of some kind that its run wrote, and nobody since.
 
-    Reports of version 0.3 and before list them result by result.
+    With their digests. Reports of version 0.3 and before list them result by result.
 
     Raises
     ------
@@ -160,13 +163,14 @@ def _listed(report: Path, kind: str) -> set[str]:
         If it is of another kind, or no report.
     """
     if not os.path.lexists(report):
-        return set()
+        return {}
     try:
         said = json.loads(read_bytes(report, _MOST_BYTES))
         other = said.get("kind", kind)
         names = said.get("files") or [
             result[form] for result in said["results"] for form in ("svg", "png", "sources_png")
         ]
+        digests = dict(said.get("digests", {}))
         ours = {name for name in names if Path(name).name == name and name.endswith(_KINDS)}
         latest = report.stat().st_mtime + _SOON
     except (
@@ -187,7 +191,25 @@ def _listed(report: Path, kind: str) -> set[str]:
             f"“{report.parent}” holds the results of “{other}”. "
             "Choose another folder, or move that one."
         )
-    return {name for name in ours if _changed(report.parent / name) <= latest}
+    found = {name: _digest_of(report.parent / name) for name in ours}
+    return {
+        name: digest
+        for name, digest in found.items()
+        if digests.get(name, digest) == digest
+        and (name in digests or _changed(report.parent / name) <= latest)
+    }
+
+
+def _digest(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()
+
+
+def _digest_of(path: Path) -> str:
+    """Return the digest of a file; what cannot be read, or is not there, has none."""
+    try:
+        return _digest(read_bytes(path, _MOST_BYTES))
+    except IconstudioError:
+        return ""
 
 
 def _changed(path: Path) -> float:

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import time
 
 import pytest
@@ -111,13 +112,23 @@ def test_results_of_another_workflow_are_refused_and_left(tmp_path):
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
 
 
-def test_what_was_changed_since_is_in_the_way(tmp_path):
-    fill(tmp_path, "hybrid-01.svg", "hybrid-02.svg")
-    later = time.time() + 60
-    os.utime(tmp_path / "hybrid-02.svg", (later, later))
-    with pytest.raises(IconstudioError, match=r"hybrid-02\.svg” is there already"):
+@pytest.mark.parametrize("name", ["hybrid-02.svg", "sheet.png"])
+@pytest.mark.parametrize("earlier", [0, 3600, -3600])
+def test_what_was_changed_since_is_in_the_way(tmp_path, name, earlier):
+    fill(tmp_path, "hybrid-01.svg", "hybrid-02.svg", "sheet.png")
+    (tmp_path / name).write_text("mine")
+    when = time.time() - earlier
+    os.utime(tmp_path / name, (when, when))
+    with pytest.raises(IconstudioError, match=f"{re.escape(name)}” is there already"):
         fill(tmp_path, "hybrid-03.svg")
-    assert there(tmp_path) == {"hybrid-01.svg", "hybrid-02.svg", "results.json"}
+    assert (tmp_path / name).read_text() == "mine"
+
+
+def test_what_was_removed_since_is_in_nobodys_way(tmp_path):
+    fill(tmp_path, "hybrid-01.svg", "sheet.png")
+    (tmp_path / "hybrid-01.svg").unlink()
+    fill(tmp_path, "hybrid-01.svg")
+    assert there(tmp_path) == {"hybrid-01.svg", "results.json"}
 
 
 @pytest.mark.parametrize("name", ["hybrid-01.svg", "sheet.png"])

@@ -75,7 +75,7 @@ def test_these_files_and_no_others(folder):
 def test_the_head_of_the_report(report):
     assert set(report) == {
         "version", "keyword", "symmetry", "canvas", "retrieved", "timings", "regions", "styles",
-        "results", "kind", "files", "finished",
+        "results", "kind", "files", "finished", "digests",
     }  # fmt: skip
     assert report["version"] == iconstudio.__version__
     assert report["keyword"] == "dog & cat"

@@ -146,7 +146,7 @@ def test_an_edit_is_shown_as_red_and_green_on_its_icon(rows):
         BLOCK.pictogram,
         "dog",
         remove=(Polygon.of([(48, 48), (128, 48), (128, 208), (48, 208)]),),
-        add=(Polygon.of([(208, 100), (250, 100), (250, 150), (208, 150)]),),
+        add=(Polygon.of([(208, 100), (246, 100), (246, 150), (208, 150)]),),
     )
     sheet = pixels(grid_sheet(edit_request(place_edit(edit, BLOCK)), LAMBDAS, rows))
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from iconstudio.algorithms.iconification.matching import Matcher, prepare
+from iconstudio.algorithms.iconification.style import STYLES
 from iconstudio.model import CANVAS, Axis, Edit, IconstudioError, Inner, Polygon
 from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.editing.editing import (
@@ -221,6 +222,20 @@ def of_drawing(ink):
 
     large = np.where(ink, 255, 0).astype(np.uint8).repeat(2, axis=0).repeat(2, axis=1)
     return Drawing(Path(), large)
+
+
+@pytest.mark.parametrize("right", [249, 256])
+def test_nothing_goes_on_beyond_what_is_added_at_the_border(workers, right):
+    bar = exemplar(box(10, 110, 246, 146), "bar")
+    found = Matcher([prepare(one) for one in (bar, *BLOBS)])
+    icon = exemplar(box(60, 60, 200, 200), "square")
+    edit = Edit(icon.pictogram, "bar", add=(rectangle(180, 112, right, 148),))
+    chosen = GridSettings(styles=tuple(style.name for style in STYLES), lambdas=(0.05, 0.3))
+    results = icons(edit_icon(place_edit(edit, icon), found, chosen, workers, render_placed))
+    assert results
+    for result in results:
+        assert result.drawing.frame.size == CANVAS
+        assert result.unchanged > 0.99
 
 
 def test_what_is_added_beyond_the_canvas_makes_room_for_itself():

@@ -17,9 +17,9 @@ _MISSED = (
     "No result shows much of what you added, {:.0%} at most: other icons have little like it "
     "there. Draw it larger or elsewhere, or try another keyword or style."
 )
-_LEAST, _MUCH = 0.1, 0.5
+_LEAST, _MUCH, _WHOLE = 0.1, 0.5, 0.8
 """A result that shows less of what was added does not fit the change at all; one that shows so
-much shows it."""
+much shows it; and one that shows so much shows it whole."""
 
 
 def judged(icon: Remix, wanted: Bitmap) -> Remix:
@@ -28,9 +28,9 @@ def judged(icon: Remix, wanted: Bitmap) -> Remix:
     ``wanted`` (m, m) is what is to be filled that the icon alone does not fill.
     """
     part = shown(icon, wanted)
-    if part >= _MUCH:
+    if part >= _WHOLE:
         return icon
-    fit = part / _MUCH if part >= _LEAST else 0.0
+    fit = part / _WHOLE if part >= _LEAST else 0.0
     return replace(icon, score=replace(icon.score, likeness=icon.score.likeness * fit))
 
 

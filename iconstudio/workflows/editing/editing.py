@@ -61,6 +61,8 @@ from iconstudio.workflows.solving import Posed
 
 OFF_CANVAS = Placement(dx=4 * CANVAS)
 """Where an icon shows nothing."""
+_CLEAR = 8
+"""Units at the border of the canvas that stay free, lest what is added goes on beyond it."""
 _ENCLOSED = 0.98
 """So much of an added area lies inside the icon's outline at least where it adds nothing to it."""
 _UNMET = (
@@ -74,7 +76,7 @@ _UNMET = (
 class PlacedEdit:
     """An edit on a canvas of any side m: what is wanted, and where.
 
-    If something is added beyond the canvas, all is made smaller so that it fits.
+    If something is added beyond the canvas, or at its border, all is made smaller so that it fits.
     """
 
     edit: Edit
@@ -374,7 +376,7 @@ def _room(edit: Edit, icon: Exemplar) -> Placement:
             "What should be added lies beside the canvas. The icon lies between "
             f"{MARGIN} and {CANVAS - MARGIN}; draw near it."
         )
-    if min(left, top) >= 0 and max(right, bottom) <= CANVAS:
+    if min(left, top) >= _CLEAR and max(right, bottom) <= CANVAS - _CLEAR:
         return Placement()
     ys, xs = np.nonzero(icon.ink)
     left, right = min(left, xs.min()), max(right, xs.max() + 1)
