@@ -117,7 +117,8 @@ def _in_value(kind: Type, value: Any, numbers: list[int], name: str, key: str) -
         texts, leaf = value, _plain(inner.item_type)
     if numbers and isinstance(inner, CollectionType) and _is_point(inner.item_type):
         longest = leaf.max_length if isinstance(leaf, CollectionType) else None
-        return f"Point {numbers[0]} of {name} {_in_point(value[numbers[0] - 1], longest or 2)}"
+        found = _in_point(value[numbers[0] - 1], longest or 2, _range(leaf))
+        return f"Point {numbers[0]} of {name} {found}"
     if numbers and isinstance(leaf, CollectionType) and isinstance(inner, CollectionType):
         first, *rest = numbers
         title = f"{_title(inner.item_type)} {first} of {name}"
@@ -141,7 +142,16 @@ def _is_point(kind: Type) -> bool:
     return isinstance(_plain(kind), TupleType) or _title(kind) == "point"
 
 
-def _in_point(point: Any, longest: int) -> str:
+def _range(point: Type) -> tuple[float, float]:
+    """Return the least and the largest number of points of a type."""
+    item = point.item_types[0] if isinstance(point, TupleType) else None
+    if isinstance(point, CollectionType):
+        item = point.item_type
+    number = None if item is None else _plain(item)
+    return getattr(number, "ge", None) or 0.0, getattr(number, "le", None) or LARGEST
+
+
+def _in_point(point: Any, longest: int, within: tuple[float, float]) -> str:
     numbers = isinstance(point, list) and all(map(_is_number, point))
     if not numbers or not 2 <= len(point) <= longest:
         more = " or [12, 34.5, 6]" if longest > 2 else ""
@@ -149,7 +159,10 @@ def _in_point(point: Any, longest: int) -> str:
     if not all(abs(one) <= sys.float_info.max for one in point):
         return "is not a number, or too large. Remove it."
     at = ", ".join(f"{one:g}" for one in point)
-    return f"is out of all scale: [{at}]. Use a unit in which no number is larger than {LARGEST:g}."
+    least, most = within
+    if most < LARGEST:
+        return f"is out of all scale: [{at}]. Numbers go from {least:g} to {most:g} here."
+    return f"is out of all scale: [{at}]. Use a unit in which no number is larger than {most:g}."
 
 
 def _is_number(value: object) -> bool:

@@ -332,8 +332,8 @@ class Collection:
             return found
         names, order = self._lookup.identifiers(known), found.tolist()
         said = np.array([style.distance(names[icon]) for icon in order])
-        parts = (take_apart(_name(names[icon])).words for icon in order)
-        strange = np.array([style.strangeness(words) for words in parts])
+        parts = (take_apart(_name(names[icon])) for icon in order)
+        strange = np.array([style.strangeness(one) for one in parts])
         seen = search.seen_style(self._blackness[found], style.solid)
         ranks = np.array([known[icon] for icon in order])
         return search.nearest_style(found, ranks, said, seen, strange)

@@ -44,7 +44,9 @@ class HybridsReport:
                 self._remixes.append(icon)
 
     def finish(self, timings: Mapping[str, float]) -> None:
-        """Write the icons, ``sheet.png`` and ``results.json``."""
+        """Write the icons, ``sheet.png`` and ``results.json``; nothing if there is no icon."""
+        if not self._remixes:
+            return
         ranked = sorted(self._remixes, key=lambda icon: (-icon.score.total, icon.draw))
         colours = palette([icon.composite for icon in ranked])
         entries = []

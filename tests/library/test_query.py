@@ -41,6 +41,8 @@ from iconstudio.library.words import query
         ("!?", ""),
         ("IconHome", "home"),
         ("ArrowLeftIcon", "arrow left"),
+        ("\u2192", "arrow right"),
+        ("\u221e", "infinity"),
         ("Iconic", "iconic"),
         ("Icon", "icon"),
         ("fas fa-house", "house"),

@@ -5,14 +5,14 @@ An emoji stands for its name, and so does any other symbol.
 
 import re
 import unicodedata
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import takewhile
 
 from iconstudio.library.words import symbols
 from iconstudio.library.words.coded import of_one, uncoded
 from iconstudio.library.words.inflections import singulars, verbs
-from iconstudio.library.words.naming import take_apart
+from iconstudio.library.words.naming import Name, take_apart
 from iconstudio.library.words.usage import INFORMAL
 from iconstudio.library.words.vocabulary import (
     HEAVY,
@@ -176,9 +176,10 @@ class Style:
     thing: frozenset[str] = frozenset()
     """What else the keyword says."""
 
-    def strangeness(self, words: Collection[str]) -> int:
-        """Return how much the words of a name are beside the thing: more, or in the plural."""
-        return 2 * len(words) + (not self.thing.issubset(words))
+    def strangeness(self, name: Name) -> int:
+        """Return how much a name says beside the thing: more words, several of it, a variant."""
+        several = not self.thing.issubset(name.words)
+        return 3 * len(name.words) + 2 * several + bool(name.variant)
 
     def distance(self, name: str) -> int:
         """Return 0 if a name says that the drawing has the style, 2 if another, 1 if both.

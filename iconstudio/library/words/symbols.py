@@ -13,12 +13,15 @@ from iconstudio.library.words.usage import EVERYDAY
 _SKINS = dict.fromkeys(range(0x1F3FB, 0x1F400))
 _KEYCAP = "\u20e3"
 _JOINER = "\u200d"
+_ARROW = re.compile(r"^(left|right|up|down)wards arrow$")
 
 
 def has_symbols(text: str) -> bool:
     """Whether a text holds an emoji or another symbol that has a name."""
     return any(
-        character == _KEYCAP or unicodedata.category(character) in ("So", "Cn")
+        character == _KEYCAP
+        or unicodedata.category(character) in ("So", "Cn")
+        or (unicodedata.category(character) == "Sm" and not character.isascii())
         for character in text
     )  # "Cn": an emoji that is younger than this Python
 
@@ -122,7 +125,7 @@ def _words(code: str) -> str:
 
 def _spoken(character: str) -> str:
     """Return the name of a symbol that is no emoji between spaces; a letter as it is."""
-    if unicodedata.category(character) == "So":
-        name = unicodedata.name(character, "")
-        return " " if name.startswith("REGIONAL INDICATOR") else f" {name.lower()} "
-    return character
+    if not has_symbols(character):
+        return character
+    name = _ARROW.sub(r"arrow \1", unicodedata.name(character, "").lower())
+    return " " if name.startswith("regional indicator") else f" {name} "
