@@ -86,8 +86,7 @@ def test_the_report_of_hybrids(folder):
 def test_no_hybrid_at_all(tmp_path):
     report = HybridsReport(tmp_path, "", 1, 0, None)
     report.finish({})
-    assert read(tmp_path)["results"] == []
-    assert (tmp_path / "sheet.png").is_file()
+    assert not list(tmp_path.iterdir())
 
 
 def test_sources_and_codes_on_the_plate_have_one_palette(hybrids):
