@@ -104,7 +104,7 @@ def is_page(root: ET.Element, page: Box | None, ids: Mapping[str, ET.Element]) -
         return False
     reach = _MISSED * max(page[2:])
     shapes = list(_shapes(root))
-    boxes = [bounds(one, page, ids) for one in shapes if one.tag == "rect" or _is_box(one)]
+    boxes = [bounds(one, page, ids) for one in shapes if one.tag == "rect" or is_box(one)]
     return len(boxes) == len(shapes) and all(
         box is not None
         and box[0] <= page[0] + reach
@@ -124,7 +124,7 @@ def _shapes(element: ET.Element) -> Iterator[ET.Element]:
             yield from _shapes(child)
 
 
-def _is_box(element: ET.Element) -> bool:
+def is_box(element: ET.Element) -> bool:
     """Whether a path goes along four sides, across and down, as those of pages do."""
     return _BOX.fullmatch(element.get("d", "").strip()) is not None
 

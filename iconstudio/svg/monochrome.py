@@ -37,6 +37,7 @@ from iconstudio.svg.paint import is_of_one_paint
 from iconstudio.svg.plain import Plain, document
 from iconstudio.svg.resvg import render_colours, render_coverage
 from iconstudio.svg.strokes import bare, coarsened, evened, thickened, widened
+from iconstudio.svg.white_page import leave_out_page
 
 _SIDE = 4 * CANVAS
 """Side of the picture that decides, unless the drawing has filters, masks or patterns."""
@@ -107,6 +108,7 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
     black = _as_it_is(drawing, rdf)
     if black is not None:
         return black, tuple(dict.fromkeys(remarks))
+    has_page = leave_out_page(drawing.content, drawing.page)
     shown = drawing.page or bounds
     content, matrix = brought_near(drawing.content, drawing.page, bounds)
     shown = mapped(matrix, shown)
@@ -142,7 +144,7 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
                 "Its lines are too thin to be seen at the size of an icon. Make them thicker."
             )
         remarks.append(THIN)
-    remarks += said_of(picture.omissions)
+    remarks += said_of(picture.omissions | ({Omission.PAGE} if has_page else set()))
     around = frame.x, frame.y, frame.size, frame.size
     is_page = drawing.page is not None and OFF_PAGE not in remarks
     page = box if is_page and frame.size > _SMALL * max(box[2:]) else around
