@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 from urllib.parse import unquote_to_bytes
 
-from iconstudio.svg.bounds import bounds
+from iconstudio.svg.bounds import bounds, reached
 from iconstudio.svg.geometry import DEFINITIONS, SHAPES
 from iconstudio.svg.lengths import Box, transform
 
@@ -102,16 +102,10 @@ def is_page(root: ET.Element, page: Box | None, ids: Mapping[str, ET.Element]) -
     """Whether each shape of a document covers its page, and nothing else: there is no drawing."""
     if page is None:
         return False
-    reach = _MISSED * max(page[2:])
     shapes = list(_shapes(root))
     boxes = [bounds(one, page, ids) for one in shapes if one.tag == "rect" or is_box(one)]
     return len(boxes) == len(shapes) and all(
-        box is not None
-        and box[0] <= page[0] + reach
-        and box[1] <= page[1] + reach
-        and box[0] + box[2] >= page[0] + page[2] - reach
-        and box[1] + box[3] >= page[1] + page[3] - reach
-        for box in boxes
+        box is not None and all(reached(box, page, _MISSED)) for box in boxes
     )
 
 

@@ -74,6 +74,20 @@ _MITRE = 2
 """Widths of a stroke that the corner of a letter may reach beyond its outline."""
 
 
+def reached(box: Box, page: Box, missed: float) -> tuple[bool, ...]:
+    """Return whether a box reaches the left, top, right and bottom of a page.
+
+    By at most ``missed``, a part of the page's longer side, it may miss them.
+    """
+    reach = missed * max(page[2:])
+    return (
+        box[0] <= page[0] + reach,
+        box[1] <= page[1] + reach,
+        box[0] + box[2] >= page[0] + page[2] - reach,
+        box[1] + box[3] >= page[1] + page[3] - reach,
+    )
+
+
 def _collect(
     element: ET.Element, outer: Matrix, paint: "_Paint", page: Box,
     ids: Mapping[str, ET.Element], add: Callable[[Box], None], depth: int,

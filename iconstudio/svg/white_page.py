@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from iconstudio.svg.bitmaps import is_box
-from iconstudio.svg.bounds import bounds
+from iconstudio.svg.bounds import bounds, reached
 from iconstudio.svg.geometry import DEFINITIONS, SHAPES
 from iconstudio.svg.lengths import Box
 
@@ -48,7 +48,7 @@ def leave_out_page(content: ET.Element, page: Box | None) -> bool:
     place = list(first.parent).index(first.element)
     first.parent.remove(first.element)
     rest = bounds(content, page, {}, painted=True)
-    if rest is None or sum(_reached(rest, page)) > _MOST:
+    if rest is None or sum(reached(rest, page, _MISSED)) > _MOST:
         first.parent.insert(place, first.element)
         return False
     return True
@@ -70,15 +70,4 @@ def _covers(element: ET.Element, page: Box) -> bool:
     if element.tag != "rect" and not is_box(element):
         return False
     box = bounds(element, page, {})
-    return box is not None and all(_reached(box, page))
-
-
-def _reached(box: Box, page: Box) -> tuple[bool, ...]:
-    """Return which sides of the page a box reaches."""
-    reach = _MISSED * max(page[2:])
-    return (
-        box[0] <= page[0] + reach,
-        box[1] <= page[1] + reach,
-        box[0] + box[2] >= page[0] + page[2] - reach,
-        box[1] + box[3] >= page[1] + page[3] - reach,
-    )
+    return box is not None and all(reached(box, page, _MISSED))
