@@ -30,8 +30,9 @@ class _Painted(NamedTuple):
 def leave_out_page(content: ET.Element, page: Box | None) -> bool:
     """Take a white page away from under a plain drawing, in place; return whether there was one.
 
-    It stays where anything else is white, which may be there to look like the page; where the
-    drawing reaches its sides, as the stripes of a flag do; and under filters.
+    It stays where anything else is white, which may be there to look like the page; under what has
+    one colour, which is told from it in any case; where the drawing reaches its sides, as the
+    stripes of a flag do; and under filters.
     """
     if any("filter" in one.attrib or "mix-blend-mode" in one.attrib for one in content.iter()):
         return False
@@ -43,7 +44,11 @@ def leave_out_page(content: ET.Element, page: Box | None) -> bool:
         return False
     paints = {paint for one in painted for paint in one.paints}
     paints |= {one.get("stop-color", "") for one in content.iter("stop")}
-    if not paints - {"none", ""} or _WHITE in paints or any(True for _ in content.iter("image")):
+    if (
+        len(paints - {"none", ""}) < 2
+        or _WHITE in paints
+        or any(True for _ in content.iter("image"))
+    ):
         return False
     place = list(first.parent).index(first.element)
     first.parent.remove(first.element)
