@@ -64,25 +64,26 @@ class Folder:
         check_folder(path)
         self._path = path
 
-    def write(self, name: str, content: bytes) -> None:
-        """Write a file."""
+    def write(self, files: Mapping[str, bytes]) -> None:
+        """Write files by their names."""
         try:
             self._path.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise _unwritable(self._path, error) from None
-        write_bytes(self._path / name, content)
+        for name, content in files.items():
+            write_bytes(self._path / name, content)
 
     def write_picture(self, name: str, picture: Image.Image) -> None:
         """Write a picture as PNG."""
-        self.write(name, png.encoded(picture))
+        self.write({name: png.encoded(picture)})
 
     def write_icon(self, name: str, icon: Icon, colours: Palette | None = None) -> None:
         """Write an icon: ``NAME.svg``, ``NAME.png``; of a remix, by source ``NAME-sources.png``."""
-        self.write(f"{name}.svg", export.svg(icon))
-        self.write(f"{name}.png", export.png(icon, png.SIZE))
+        files = {f"{name}.svg": export.svg(icon), f"{name}.png": export.png(icon, png.SIZE)}
         if isinstance(icon, Remix):
             code = export.colour_code_png(icon, png.SIZE // 2, colours)
-            self.write(f"{name}-sources.png", code)
+            files[f"{name}-sources.png"] = code
+        self.write(files)
 
 
 class ResultsFolder(Folder):
@@ -116,13 +117,13 @@ class ResultsFolder(Folder):
             if names.fullmatch(name):
                 self._check_free(name)
 
-    def write(self, name: str, content: bytes) -> None:
-        """Write a file."""
-        if name not in self._written:
+    def write(self, files: Mapping[str, bytes]) -> None:
+        """Write files by their names, once they are listed."""
+        for name in files.keys() - self._written.keys():
             self._check_free(name)
-        self._written[name] = _digest(content)
+        self._written |= {name: digest(content) for name, content in files.items()}
         self._report({"finished": False}, self._before | self._written)
-        super().write(name, content)
+        super().write(files)
 
     def write_report(self, report: dict[str, Any]) -> None:
         """Write ``results.json``; what the one before lists, and this run has not, is removed."""
@@ -135,7 +136,7 @@ class ResultsFolder(Folder):
         listed = {"kind": self._kind, "files": sorted(files), "digests": files}
         report = report | listed
         text = json.dumps(report, indent=1, ensure_ascii=False, allow_nan=False)
-        super().write(_REPORT, text.encode())
+        super().write({_REPORT: text.encode()})
 
     def _check_free(self, name: str) -> None:
         path = self._path / name
@@ -191,23 +192,24 @@ def _listed(report: Path, kind: str) -> dict[str, str]:
             f"“{report.parent}” holds the results of “{other}”. "
             "Choose another folder, or move that one."
         )
-    found = {name: _digest_of(report.parent / name) for name in ours}
+    found = {name: digest_of(report.parent / name) for name in ours}
     return {
-        name: digest
-        for name, digest in found.items()
-        if digests.get(name, digest) == digest
+        name: now
+        for name, now in found.items()
+        if digests.get(name, now) == now
         and (name in digests or _changed(report.parent / name) <= latest)
     }
 
 
-def _digest(content: bytes) -> str:
+def digest(content: bytes) -> str:
+    """Return what tells files of other content apart."""
     return hashlib.sha256(content).hexdigest()
 
 
-def _digest_of(path: Path) -> str:
-    """Return the digest of a file; what cannot be read, or is not there, has none."""
+def digest_of(path: Path) -> str:
+    """Return the digest of a file; empty if it cannot be read, or is not there."""
     try:
-        return _digest(read_bytes(path, _MOST_BYTES))
+        return digest(read_bytes(path, _MOST_BYTES))
     except IconstudioError:
         return ""
 

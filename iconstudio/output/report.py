@@ -164,7 +164,7 @@ class GridReport:
             arrays |= {f"{channel}_field": aim.field, f"{channel}_weight": aim.weight}
         buffer = io.BytesIO()
         np.savez_compressed(buffer, **arrays)  # type: ignore[arg-type]  # none is `allow_pickle`
-        self._folder.write(f"{style}.npz", buffer.getvalue())
+        self._folder.write({f"{style}.npz": buffer.getvalue()})
 
 
 def _style_json(event: StyleMatched | StyleSkipped) -> dict[str, Any]:

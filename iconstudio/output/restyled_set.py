@@ -4,7 +4,6 @@ The manifest says what each file was made of, and how. So a run that was stopped
 was, and only what would come out the same is taken over.
 """
 
-import hashlib
 import os
 import re
 from collections.abc import Iterator, Sequence
@@ -20,7 +19,7 @@ from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.model.icon_set import Member
 from iconstudio.output.credits import credits_page
 from iconstudio.output.filenames import file_stems
-from iconstudio.output.folder import Folder
+from iconstudio.output.folder import Folder, digest, digest_of
 from iconstudio.output.set_sheet import PER_SHEET, set_sheet
 from iconstudio.output.svg import document
 from iconstudio.workflows.line_style.sets import Manner, MemberRestyled, MemberSkipped
@@ -78,7 +77,7 @@ class RestyledSet:
     def __init__(self, folder: Path, name: str, members: Sequence[Member], manner: Manner) -> None:
         self._path, self._folder = folder, Folder(folder)
         self._name, self._manner = name, manner
-        self._how = _digest(repr((_FORMAT, __version__, manner)).encode(errors="replace"))
+        self._how = digest(repr((_FORMAT, __version__, manner)).encode(errors="replace"))
         stems = file_stems({one.id: one.name for one in members})
         self._files = {identifier: f"{stem}.svg" for identifier, stem in stems.items()}
         before = _read(folder / MANIFEST)
@@ -113,7 +112,7 @@ class RestyledSet:
         entry = self._before.get(file)
         if entry is None or entry.made_of != self._made_of(member, source):
             return False
-        if _digest_of(self._path / file) != entry.digest:
+        if digest_of(self._path / file) != entry.digest:
             return False
         self._done[file] = entry
         return True
@@ -131,12 +130,12 @@ class RestyledSet:
                 "move it, or choose another folder."
             )
             return
-        self._folder.write(file, data)
+        self._folder.write({file: data})
         self._done[file] = _Entry(
             member.id,
             self._manner.seed_of(member.id),
             self._made_of(member, event.source),
-            _digest(data),
+            digest(data),
             tuple(one.credit for one in event.credits),
             event.remarks,
             round(event.scale, 4),
@@ -149,7 +148,7 @@ class RestyledSet:
         files = self._before | self._done
         if files:
             manifest = msgspec.json.encode(self._manifest(files))
-            self._folder.write(MANIFEST, msgspec.json.format(manifest, indent=1))
+            self._folder.write({MANIFEST: msgspec.json.format(manifest, indent=1)})
         self._saved = monotonic()
 
     def finish(self) -> Iterator[float]:
@@ -167,21 +166,21 @@ class RestyledSet:
             self._folder.write_picture(sheets[-1], picture)
         said = {file: self._done[file].credits for file in files}
         page = credits_page(self._name, self._manner.style.name, said)
-        self._folder.write(CREDITS, page.encode(errors="replace"))
+        self._folder.write({CREDITS: page.encode(errors="replace")})
         self._remove_others(sheets)
         self.save()
 
     def _is_foreign(self, file: str, data: bytes) -> bool:
         """Whether a file is there that a user made, or changed; ``data`` are to be in it."""
-        there = _digest_of(self._path / file)
+        there = digest_of(self._path / file)
         entry = self._before.get(file)
-        known = (_digest(data), entry.digest if entry else "")
+        known = (digest(data), entry.digest if entry else "")
         return os.path.lexists(self._path / file) and there not in known
 
     def _remove_others(self, sheets: Sequence[str]) -> None:
         """Remove what earlier runs have written, and this one has not."""
         for file in self._before.keys() - self._done.keys():
-            if _digest_of(self._path / file) == self._before[file].digest:
+            if digest_of(self._path / file) == self._before[file].digest:
                 with suppress(OSError):  # it is in nobody's way
                     (self._path / file).unlink()
         for file in set(self._sheets).difference(sheets):
@@ -191,8 +190,8 @@ class RestyledSet:
 
     def _made_of(self, member: Member, source: Pictogram | bytes) -> str:
         own = source if isinstance(source, bytes) else repr(source).encode(errors="replace")
-        said = self._how, member.id, _digest(own)
-        return _digest(repr(said).encode(errors="replace"))
+        said = self._how, member.id, digest(own)
+        return digest(repr(said).encode(errors="replace"))
 
     def _check(self, before: _Manifest) -> None:
         """Refuse to replace what a run of something else has made, or a user."""
@@ -249,15 +248,3 @@ def _read(path: Path) -> _Manifest:
     files = {name: one for name, one in manifest.files.items() if _ICON.fullmatch(name)}
     sheets = tuple(filter(_SHEET.fullmatch, manifest.sheets))
     return msgspec.structs.replace(manifest, files=files, sheets=sheets)
-
-
-def _digest(data: bytes) -> str:
-    return hashlib.sha256(data).hexdigest()
-
-
-def _digest_of(path: Path) -> str:
-    """Return the digest of a file; empty if it cannot be read."""
-    try:
-        return _digest(read_bytes(path, _MOST_BYTES))
-    except IconstudioError:
-        return ""

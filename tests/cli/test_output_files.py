@@ -87,7 +87,7 @@ STEMS = r"sheet|hybrid-\d+"
 def fill(path, *names, kind="hybrids"):
     folder = ResultsFolder(path, kind, STEMS)
     for name in names:
-        folder.write(name, b"new")
+        folder.write({name: b"new"})
     folder.write_report({"results": []})
 
 
@@ -145,7 +145,7 @@ def test_a_file_of_a_users_own_is_never_replaced(tmp_path, name):
 def test_a_run_that_was_stopped_can_be_run_again(tmp_path):
     fill(tmp_path, "hybrid-01.svg", "hybrid-02.svg")
     stopped = ResultsFolder(tmp_path, "hybrids", STEMS)
-    stopped.write("hybrid-03.svg", b"half")
+    stopped.write({"hybrid-03.svg": b"half"})
     report = json.loads((tmp_path / "results.json").read_text("utf-8"))
     assert not report["finished"] and "hybrid-03.svg" in report["files"]
     fill(tmp_path, "hybrid-03.svg")
