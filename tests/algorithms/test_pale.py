@@ -13,6 +13,8 @@ from iconstudio.algorithms.tones.alternation import Omission
 from tests import scans
 from tests.algorithms.test_tone import rgba
 
+pytestmark = pytest.mark.thorough(but=1)
+
 SHAPES = {
     "ring": '<circle cx="12" cy="12" r="9" fill="none" stroke="{}" stroke-width="3"/>',
     "disc": '<circle cx="12" cy="12" r="10" fill="{}"/>',

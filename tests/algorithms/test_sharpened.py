@@ -11,6 +11,8 @@ from iconstudio.algorithms.scanning.sharpened import unsharpened
 from tests import scans
 from tests.algorithms.test_tone import rgba
 
+pytestmark = pytest.mark.thorough(but=1)
+
 GEAR = (
     '<path d="M10 2h4v4l4-2 2 4-4 2v4l4 2-2 4-4-2v4h-4v-4l-4 2-2-4 4-2v-4l-4-2 2-4 4 2z'
     'M12 9a3 3 0 1 0 0 6 3 3 0 1 0 0-6z" fill="{}" fill-rule="evenodd"/>'

@@ -6,6 +6,8 @@ from iconstudio.svg.credits import UNNAMED
 from iconstudio.svg.reading import own_artwork
 from tests.svg.pictures import assert_shows, read, svg
 
+pytestmark = pytest.mark.thorough(but=1)
+
 PAGE = 'viewBox="0 0 24 30"'
 DISC = '<circle cx="12" cy="12" r="9"/>'
 FROM = '<text y="29" font-size="1.2">from the Noun Project</text>'

@@ -6,6 +6,8 @@ import pytest
 
 from tests.svg.pictures import BODY, HOUSE, OUTLINE, PATH, ROOF, WINDOW, assert_shows, read, svg
 
+pytestmark = pytest.mark.thorough(but=1)
+
 EVENODD = f'fill-rule="evenodd" d="{HOUSE}"'
 CODED = base64.b64encode(svg(PATH).encode()).decode()
 TWO = svg(

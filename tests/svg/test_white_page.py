@@ -4,6 +4,8 @@ import pytest
 
 from tests.svg.pictures import ink, overlap, read, svg
 
+pytestmark = pytest.mark.thorough(but=1)
+
 PAGES = {
     "rectangle": '<rect width="24" height="24" fill="#fff"/>',
     "percentages": '<rect width="100%" height="100%" fill="white"/>',

@@ -78,13 +78,13 @@ def dithered(pixels: NDArray[np.uint8]) -> NDArray[np.bool_]:
 
 def _repeated(pixels: NDArray[np.uint8], grains: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return which grains (h, w) have others of the same colour near."""
-    packed = _packed(pixels)
-    repeated = np.zeros_like(grains)
-    least = (_AGAIN - 0.5) / _AROUND**2
-    for colour in np.unique(packed[grains]):
-        same = grains & (packed == colour)
-        repeated |= same & (scipy.ndimage.uniform_filter(same.astype(np.float32), _AROUND) > least)
-    return repeated
+    height, width = grains.shape
+    colours = np.where(grains, _packed(pixels).astype(np.int64), -1)
+    around = np.pad(colours, _AROUND // 2, mode="symmetric")
+    count = np.zeros(grains.shape, np.uint8)
+    for row, column in np.ndindex(_AROUND, _AROUND):
+        count += around[row : row + height, column : column + width] == colours
+    return grains & (count >= _AGAIN)
 
 
 def _means(pixels: NDArray[np.uint8]) -> NDArray[np.float32]:
