@@ -199,7 +199,7 @@ def place_edit(
         raise IconstudioError("Nothing of the icon would be left. Remove less, or add something.")
     inner = edit.inner.moved(placement.transform.transformPoint)
     inner.check()
-    check_inner(inner, silhouette)
+    check_inner(inner, silhouette, gone)
     lines = scribble([Stroke(0, one) for one in inner.lines], side)
     drawn = filled_polygons(inner.holes, side) | lines
     mask = truncated_distance(removed | added | drawn, EDIT_REACH * side / CANVAS)
