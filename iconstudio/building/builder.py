@@ -24,6 +24,7 @@ from iconstudio.building.selection import (
     wanted_sets,
 )
 from iconstudio.files import reason_of
+from iconstudio.inputs.together import counted
 from iconstudio.library import archive
 from iconstudio.library.fingerprint import Fingerprint, stack, unlikeness
 from iconstudio.library.iconify import IconSet, RawIcon
@@ -108,7 +109,11 @@ def build(inputs: Inputs, out: Path, workers: Workers, most: int = ICONS) -> Ite
         (out / "CREDITS").write_text(thanks, encoding="utf-8", newline="\n")
     except OSError as error:
         raise IconstudioError(f"The collection cannot be written: {reason_of(error)}.") from None
-    yield Progress("prepare", 1.0, f"{len(chosen)} icons of {len(contents.sets)} sets in {out}")
+    yield Progress(
+        "prepare",
+        1.0,
+        f"{counted(len(chosen), 'icon')} of {counted(len(contents.sets), 'set')} in {out}",
+    )
 
 
 def _version(iconify: Path) -> str:

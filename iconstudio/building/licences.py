@@ -5,6 +5,7 @@ from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
 
+from iconstudio.inputs.together import counted
 from iconstudio.library.iconify import IconSet
 from iconstudio.model import IconstudioError
 
@@ -56,7 +57,7 @@ def credits_text(
 def _entry(icon_set: IconSet, count: int) -> str:
     version = f" {icon_set.version}" if icon_set.version else ""
     return (
-        f"{icon_set.name}{version} ({icon_set.prefix}, {count} icons)\n"
+        f"{icon_set.name}{version} ({icon_set.prefix}, {counted(count, 'icon')})\n"
         f"    Copyright (c) {icon_set.author}"
         f"{', ' + icon_set.author_url if icon_set.author_url else ''}\n"
         f"    {icon_set.license}{', ' + icon_set.license_url if icon_set.license_url else ''}\n"

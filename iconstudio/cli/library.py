@@ -5,6 +5,7 @@ from pathlib import Path
 import click
 
 from iconstudio.cli.progress import ProgressBar
+from iconstudio.inputs.together import counted
 
 _FOLDER = click.Path(exists=True, file_okay=False, path_type=Path)
 
@@ -72,7 +73,7 @@ def examples(judged: Path) -> None:
             else:
                 found.append(step)
     write_examples(judged, found)
-    click.echo(f"{len(found)} examples")
+    click.echo(counted(len(found), "example"))
 
 
 @command.command()
@@ -96,7 +97,7 @@ def plausibility(judged: Path, out: Path) -> None:
     write_bytes(out, json.encoded(PlausibilityFile.of(model)))
     asked = [one for one in every if one.held_out and one.kind == "judged"]
     click.echo(
-        f"On {len(asked)} results of keywords that were held out, judged by eye: "
+        f"On {counted(len(asked), 'result')} of keywords that were held out, judged by eye: "
         f"area under the curve {area_under_curve(model, asked):.3f}, "
         f"of those fit to be handed over {area_under_curve(model, asked, FIT):.3f}, "
         f"agreement {agreement(model, asked):.0%}"

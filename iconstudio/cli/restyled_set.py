@@ -11,6 +11,7 @@ from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.running import tell
 from iconstudio.cli.timing import Stopwatch
 from iconstudio.cluster import Cluster
+from iconstudio.inputs.together import counted
 from iconstudio.library.sets import is_folder, members
 from iconstudio.model import IconstudioError
 from iconstudio.output.folder import check_folder
@@ -73,18 +74,13 @@ def restyle_set(
     _tell("", written.remarks, named)
     if written.shrunk:
         pages = "its page" if len(written.shrunk) == 1 else "their pages"
-        subject = f"{_icons(len(written.shrunk))} had no room on {pages}, and came out"
+        subject = f"{counted(len(written.shrunk), 'icon')} had no room on {pages}, and came out"
         tell(f"{subject} smaller, by {1 - min(written.shrunk):.1%} at most{named}.")
     if not written:
         raise IconstudioError("No icon of the set could be restyled.")
     without = f", {len(written.skipped):,} skipped" if written.skipped else ""
-    click.echo(
-        f"{_icons(len(written))}{without}; see {click.format_filename(folder / 'sheet.png')}"
-    )
-
-
-def _icons(count: int) -> str:
-    return "1 icon" if count == 1 else f"{count:,} icons"
+    made = counted(len(written), "icon")
+    click.echo(f"{made}{without}; see {click.format_filename(folder / 'sheet.png')}")
 
 
 def _check_apart(folder: Path, source: Path) -> None:

@@ -10,6 +10,7 @@ import click
 
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import Stopwatch
+from iconstudio.inputs.together import counted
 from iconstudio.model import CANVAS, IconstudioError, Pictogram, Remix
 from iconstudio.output.folder import check_folder
 from iconstudio.output.png import untidied
@@ -53,7 +54,8 @@ def run(
                 case StyleSkipped():
                     bar.say(event.reason)
                 case Retrieved():
-                    bar.say(f"{len(event.exemplars)} different icons of “{event.keyword}”")
+                    icons = counted(len(event.exemplars), "different icon")
+                    bar.say(f"{icons} of “{event.keyword}”")
                     if event.remark:
                         bar.say(event.remark)
                 case Remark():
@@ -70,8 +72,7 @@ def run(
 
 def tell_results(count: int, noun: str, sheet: Path) -> None:
     """Say how many results there are, and which picture shows them."""
-    results = f"1 {noun}" if count == 1 else f"{count} {noun}s"
-    click.echo(f"{results}; see {click.format_filename(sheet)}")
+    click.echo(f"{counted(count, noun)}; see {click.format_filename(sheet)}")
 
 
 def tell(sentence: str) -> None:

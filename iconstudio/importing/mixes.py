@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from iconstudio.importing.importer import IconImporter, Opened
-from iconstudio.inputs.together import ReadTogether, quoted_list
+from iconstudio.inputs.together import ReadTogether, counted, quoted_list
 from iconstudio.model import Exemplar
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.hybrids import page as edits
@@ -42,7 +42,7 @@ class MixImporter(IconImporter[HybridsPage]):
             icons = yield from choosing
         picked = tuple(map(session.exemplar, icons))
         yield Opened(
-            f"Picked {len(picked)} icons for “{ask.keyword}”.",
+            f"Picked {counted(len(picked), 'icon')} for “{ask.keyword}”.",
             lambda document: self._complaints(edits.set_picked(document, picked, ask)),
         )
 

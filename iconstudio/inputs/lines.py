@@ -71,6 +71,13 @@ def line(points: tuple[Point, ...], stray: float = STRAY) -> tuple[Point, ...]:
     return simplified_line(points, stray) if len(points) > MANY else points
 
 
+def meets_canvas(points: tuple[Point, ...], width: float) -> bool:
+    """Whether the box around a line of some width has a part of the canvas."""
+    reach = width / 2
+    xs, ys = ([point[axis] for point in points] for axis in (0, 1))
+    return all(-reach < max(some) and min(some) < CANVAS + reach for some in (xs, ys))
+
+
 def rounded(points: tuple[Point, ...]) -> tuple[Point, ...]:
     """Return points as they are written: to a hundredth of a pixel."""
     return tuple((round(x, 2), round(y, 2)) for x, y in points)

@@ -91,6 +91,11 @@ def _in_object(kind: StructType, data: Any) -> str:
     return ""
 
 
+def likely(word: str, known: Sequence[str]) -> str:
+    """Return which of some words in lower case one stands for; empty if it is like none."""
+    return next(iter(get_close_matches(word.strip().casefold(), known, n=1)), "")
+
+
 def _meant(name: str, known: Sequence[str], missing: Sequence[str]) -> str:
     """Return which field an unknown name stands for, if any: of unlike ones the missing one."""
     very = get_close_matches(name, known, n=1, cutoff=0.85)
@@ -126,7 +131,14 @@ def _in_value(kind: Type, value: Any, numbers: list[int], name: str, key: str) -
     if isinstance(leaf, StrType | CustomType) and all(isinstance(one, str) for one in texts):
         wrong = filter(None, map(_in_text, texts))
         return f"{name} {next(wrong, f'is empty: write {_ICON}.')}"
-    return f"{the} must be {_wanted(kind, key)}."
+    return f"{the} must be {_wanted(kind, key)}." + _in_words(leaf, value)
+
+
+def _in_words(kind: Type, value: Any) -> str:
+    """Return which of a few words was meant by a text, as a sentence after a blank, if any."""
+    words = [str(one.value) for one in kind.cls] if isinstance(kind, EnumType) else []
+    near = likely(value, words) if isinstance(value, str) else ""
+    return f' Write "{near}" if you mean that.' if near else ""
 
 
 def _in_text(text: str) -> str:

@@ -2,7 +2,6 @@
 
 import logging
 import os
-import re
 import sqlite3
 import threading
 from collections.abc import Callable, Generator, Iterable
@@ -222,16 +221,14 @@ class Collection:
     @_mended
     def remark(self, keyword: str) -> str:
         """Return how a keyword was read where not as typed, and what is near, or finds more."""
-        answer = self._answer(keyword)
-        found = self._lookup.identifiers(answer.scores) if answer.left_out else {}
-        borne = {part for one in found.values() for part in re.split("[:-]", one)}
-        left_out = tuple(w for w in answer.left_out if w not in borne or is_negated((w,)))
-        answer = replace(answer, left_out=left_out)
+        answer = self._lookup.truly(self._answer(keyword))
         name, count = _name(keyword), len(answer.scores)
         wider = self._lookup.wider(name, 0 if answer.left_out else count)
         if answer and symbols.is_flag(keyword.strip()):
             return messages.FLAGS
-        return messages.remark(answer, self._lookup.spelling(name), wider)
+        unheeded = self._lookup.unheeded(keyword, answer)
+        near = self._lookup.spelling(name) or self._lookup.foreign(keyword, answer)
+        return messages.remark(answer, near, wider, unheeded)
 
     @_mended
     def get(self, identifier: str) -> Pictogram:
@@ -303,7 +300,7 @@ class Collection:
         """
         spelt = list(query.identifiers(keyword, self.sets))
         meant = dict.fromkeys(self._numbers(spelt)[:1], -1)
-        if ":" in keyword or coded.names_set(keyword):
+        if coded.names_set(keyword):
             answer = self._lookup.answer(_name(keyword))
             return replace(answer, scores=answer.scores | meant)
         found = self._lookup.answer(keyword) or Answer(meant)
@@ -391,7 +388,7 @@ class Collection:
 
 def _name(identifier: str) -> str:
     """Return what an icon is called in its set: *home* of *mdi:home*."""
-    name = identifier.rpartition(":")[2]
+    name = coded.of_one(identifier).rpartition(":")[2]
     return name if query.plain(name) else identifier
 
 

@@ -1,9 +1,11 @@
 """Which icons answer a keyword, and what is near: looked up in the unpacked collection."""
 
+import re
 from collections.abc import Iterable
 from dataclasses import replace
 
 from iconstudio.library.phrases import Answer, Phrases, at_least
+from iconstudio.library.search import ITSELF
 from iconstudio.library.terms import FEW, Rows, Scores, Terms
 from iconstudio.library.words import query, symbols
 from iconstudio.library.words.decency import MEANT, is_insult, is_rude, is_unkind
@@ -56,7 +58,34 @@ class Lookup:
         """Return the style that a keyword asks for, unless the words together name a thing."""
         words = query.spelt_out(tuple(query.plain(keyword).split())[:_MOST])
         asked = query.style(words)
-        return Style() if asked.words and self.plainly(" ".join(words)) else asked
+        return Style() if asked.words and self._phrases.names_thing(words) else asked
+
+    def truly(self, answer: Answer) -> Answer:
+        """Return an answer without those of the words left out that icons of it bear after all."""
+        found = self.identifiers(answer.scores) if answer.left_out else {}
+        borne = {part for one in found.values() for part in re.split("[:-]", one)}
+        left_out = tuple(w for w in answer.left_out if w not in borne or is_negated((w,)))
+        return replace(answer, left_out=left_out)
+
+    def unheeded(self, keyword: str, answer: Answer) -> tuple[str, ...]:
+        """Return words for a style that no name of a thing that answers has, nor can be seen."""
+        style = self.style(keyword)
+        asked = tuple(word for word in query.plain(keyword).split() if word in style.words)
+        if answer.left_out or not (asked and style.others) or style.solid is not None:
+            return ()
+        things = (icon for icon, score in answer.scores.items() if score <= ITSELF)
+        names = self.identifiers(things).values()
+        return () if any(style.distance(name) <= 1 for name in names) else asked
+
+    def foreign(self, keyword: str, answer: Answer) -> tuple[str, ...]:
+        """Return in English what a keyword means elsewhere, if it was read as another word.
+
+        Or if no icon that answers is the thing itself: in French, *lit* is a bed.
+        """
+        if not answer or (not answer.read_as and min(answer.scores.values()) <= ITSELF):
+            return ()
+        known = {query.plain(keyword), *(right for _, right in answer.read_as)}
+        return tuple(one for one in symbols.english(keyword) if one not in known)
 
     def _named_by(self, keyword: str, words: tuple[str, ...]) -> Answer:
         """Return the icons that answer the names of a symbol, its own before all others."""
@@ -146,7 +175,8 @@ class Lookup:
         if not 0 < count < _FEWEST:
             return ()
         words = tuple(dict.fromkeys(query.plain(keyword).split()))[:_MOST]
-        found = tuple(word for word in words if len(self.plainly(word)) >= _MORE)
+        told = filter(query.tells, words)
+        found = tuple(word for word in told if len(self.plainly(word)) >= _MORE)
         return found if len(found) > 1 else ()
 
     def read_as(self, keyword: str) -> tuple[tuple[str, str], ...]:

@@ -35,10 +35,16 @@ def hint(near: tuple[str, ...]) -> str:
     return f" Did you mean {', '.join(near)}?" if near else ""
 
 
-def remark(answer: Answer, near: tuple[str, ...], wider: tuple[str, ...] = ()) -> str:
+def remark(
+    answer: Answer,
+    near: tuple[str, ...],
+    wider: tuple[str, ...] = (),
+    unheeded: tuple[str, ...] = (),
+) -> str:
     """Return how words were read if not as typed, and what else may have been meant.
 
-    ``wider`` are those of them that more icons answer.
+    ``wider`` are those of them that more icons answer, ``unheeded`` those for a style that none is
+    said to have.
     """
     if not answer:
         return ""
@@ -52,6 +58,10 @@ def remark(answer: Answer, near: tuple[str, ...], wider: tuple[str, ...] = ()) -
         sentences.append(only(answer))
     if wider:
         sentences.append(f"Few icons are of these words together; more are of {named(wider)}.")
+    if unheeded:
+        sentences.append(
+            f"No icon of it is called {named(unheeded)}: those of other styles are shown."
+        )
     return (" ".join(sentences) + hint(near)).strip()
 
 

@@ -14,7 +14,7 @@ from iconstudio.library.words.naming import is_negated, take_apart, without_numb
 from iconstudio.library.words.readings import COMPOUND
 from iconstudio.library.words.relations import BROADER
 from iconstudio.library.words.usage import CROSSED_OUT
-from iconstudio.library.words.vocabulary import ATTRIBUTES, PEOPLE, STYLES
+from iconstudio.library.words.vocabulary import ATTRIBUTES, PEOPLE, PREPOSITIONS, STYLES
 
 _LONGEST = 3
 """At most so many words are told of as one that icons answer on its own."""
@@ -71,7 +71,8 @@ class Phrases:
 
     def answer(self, words: Words) -> Answer:
         """Return the icons that answer plain words, however they are spelt, or what is near."""
-        if found := self.whole(words):
+        found = self.whole(words)
+        if found and (query.without_style(words) == words or min(found.values()) < BROADER):
             return Answer(found, read_as=self._taken_for(words, found))
         if is_insult(" ".join(words)):
             return Answer()
@@ -82,6 +83,11 @@ class Phrases:
         if not surely:
             return self._fewer(words)
         return self._best(one.near(self._fewer(one.words)) for one in surely)
+
+    def names_thing(self, words: Words) -> bool:
+        """Whether words with one for a style name a thing together, and not only a kind of it."""
+        found = self._terms.plainly(" ".join(words))
+        return bool(found) and min(found.values()) < BROADER
 
     def _taken_for(self, words: Words, found: Scores) -> tuple[tuple[str, str], ...]:
         """Return words that few of the best icons are called by, with what the others are."""
@@ -125,7 +131,8 @@ class Phrases:
             for end in range(min(start + _LONGEST, len(words)), start, -1):
                 part = words[start:end]
                 bare = " ".join(map(without_number, part))
-                if any(map(query.tells, part)) and self._terms.plainly(bare):
+                tells = any(map(query.tells, part)) and PREPOSITIONS.isdisjoint((part[0], part[-1]))
+                if tells and self._terms.plainly(bare):
                     found.append(" ".join(part))
                     break
             start = end

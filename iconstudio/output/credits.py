@@ -4,6 +4,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from iconstudio.inputs.together import counted
 from iconstudio.model import Credit
 
 _SPECIAL = re.compile(r"([\\`*_\[\]<>#|])")
@@ -46,7 +47,7 @@ def _linked(words: str, address: str) -> str:
 
 def _which(files: Sequence[str], count: int) -> str:
     if len(files) == count:
-        return "1 icon" if count == 1 else f"all {count:,} icons"
+        return f"{'all ' * (count > 1)}{counted(count, 'icon')}"
     return ", ".join(map(_plain, files))
 
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from iconstudio.inputs.together import counted
 from iconstudio.model import Axis, Remix
 from iconstudio.output import record
 from iconstudio.output.colours import palette
@@ -54,14 +55,14 @@ class HybridsReport:
             name = f"hybrid-{rank:02d}"
             self._folder.write_icon(name, replace(icon, title=self._title(rank)), colours)
             entries.append(_entry(rank, name, icon))
-        said = f"{self._draws} draws, {len(ranked)} kept, seed {self._seed}" + (
+        said = f"{counted(self._draws, 'draw')}, {len(ranked)} kept, seed {self._seed}" + (
             f", {self._symmetry} symmetry" if self._symmetry else ""
         )
         overview = hybrids_overview(self._keyword or "Hybrids", said, ranked, colours)
         self._folder.write_picture("sheet.png", overview)
         asked = {"keyword": self._keyword} | record.remix_head(self._symmetry, timings)
-        counted = {"seed": self._seed, "draws": self._draws, "kept": len(ranked)}
-        self._folder.write_report(asked | counted | {"icons": self._icons(), "results": entries})
+        drawn = {"seed": self._seed, "draws": self._draws, "kept": len(ranked)}
+        self._folder.write_report(asked | drawn | {"icons": self._icons(), "results": entries})
 
     def _title(self, rank: int) -> str:
         return f"{self._keyword} hybrid {rank}".strip()

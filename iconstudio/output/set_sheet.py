@@ -6,6 +6,7 @@ from pathlib import Path
 
 from PIL import Image
 
+from iconstudio.inputs.together import counted
 from iconstudio.output.figure import MUTED, Figure
 from iconstudio.svg.rasterise import page_frame
 from iconstudio.svg.resvg import render_coverage
@@ -31,8 +32,7 @@ def set_sheet(title: str, count: int, files: Sequence[Path]) -> Generator[float,
     figure = Figure(2 * _EDGE + across * step_x, _HEAD + lines * step_y + _EDGE)
     right = figure.picture.width - _EDGE
     figure.text(_EDGE, 36, title, 34, bold=True, width=right - _EDGE - 160)
-    counted = "1 icon" if count == 1 else f"{count:,} icons"
-    figure.text(right, 48, counted, 20, colour=MUTED, anchor="ra")
+    figure.text(right, 48, counted(count, "icon"), 20, colour=MUTED, anchor="ra")
     for number, file in enumerate(files):
         x, y = _EDGE + number % across * step_x, _HEAD + number // across * step_y
         svg = file.read_text("utf-8")

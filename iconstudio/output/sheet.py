@@ -11,6 +11,7 @@ from PIL import Image
 
 from iconstudio.algorithms.raster import placed_ink
 from iconstudio.files import write_bytes
+from iconstudio.inputs.together import counted
 from iconstudio.model import CANVAS, Composite, Exemplar, Polygon, Remix, Source
 from iconstudio.output import png
 from iconstudio.output.colours import SIGNIFICANT, Palette, colour_code, key_of, palette
@@ -101,7 +102,7 @@ def search_sheet(exemplars: Sequence[Exemplar], word: str, path: Path) -> None:
     lines = -(-len(exemplars) // across)
     figure = Figure(2 * _EDGE + across * step_x, 110 + lines * step_y + _EDGE)
     figure.text(_EDGE, 36, word, 34, bold=True, width=across * step_x - 200)
-    count = "1 icon" if len(exemplars) == 1 else f"{len(exemplars)} icons"
+    count = counted(len(exemplars), "icon")
     figure.text(figure.picture.width - _EDGE, 48, count, 20, colour=MUTED, anchor="ra")
     for number, exemplar in enumerate(exemplars):
         x = _EDGE + number % across * step_x
@@ -172,7 +173,7 @@ def _column_heads(figure: Figure, lambdas: Sequence[float], left: float) -> None
 
 def _row(figure: Figure, row: Row, lambdas: Sequence[float], left: float, top: float) -> None:
     figure.text(_EDGE, top + 16, row.style.capitalize(), 24, bold=True)
-    count = "1 icon" if row.retrieved == 1 else f"{row.retrieved} icons"
+    count = counted(row.retrieved, "icon")
     figure.text(_EDGE + _SIDE - 2 * _GAP, top + 22, count, 16, colour=MUTED, anchor="ra")
     if not row.remixes:
         figure.paragraph(

@@ -9,6 +9,7 @@ from msgspec.structs import replace
 from iconstudio.inputs import json
 from iconstudio.inputs.formats import Reference
 from iconstudio.inputs.icons import reference_to
+from iconstudio.inputs.mistakes import likely
 from iconstudio.model import IconstudioError
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.workflow import File, Resources, Workflow
@@ -31,7 +32,7 @@ def open_file(path: Path, kind: type[F]) -> F:
     if name := _unknown_workflow(data, workflows()):
         raise IconstudioError(
             f"“{path.name}” is a file of “{name:.60}”, which this version does not know. "
-            "Open it with the version that wrote it, or a newer one."
+            + _what_is_known(name, workflows())
         )
     if isinstance(data, dict) and "pairs" in data:
         raise IconstudioError(
@@ -73,6 +74,15 @@ def _unknown_workflow(data: object, some: Iterable[Workflow[Any]]) -> str | None
     """Return what a file says it is of if there is no such workflow."""
     name = _named_workflow(data)
     return None if any(one.name == name for one in some) else name
+
+
+def _what_is_known(name: str, some: Iterable[Workflow[Any]]) -> str:
+    """Return what to do about the name of an unknown workflow: write it right, or update."""
+    called = {word.casefold(): one.name for one in some for word in (one.noun, one.title, one.name)}
+    if near := likely(name, tuple(called)):
+        return f'Write "workflow": "{called[near]}" if you mean that.'
+    known = ", ".join(sorted({*called.values()}))
+    return f"Open it with the version that wrote it, or a newer one; this one knows {known}."
 
 
 def read_file(

@@ -209,6 +209,28 @@ def test_what_does_not_lie_inside_is_told(inner, said):
         check_inner(inner, fill_polygon(SQUARE))
 
 
+def test_what_lies_in_a_removed_part_is_told_so():
+    left = Polygon.of([(48, 48), (128, 48), (128, 208), (48, 208)])
+    gone = fill_polygon(left)
+    outline = fill_polygon(SQUARE) & ~gone
+    for inner, said in (
+        (Inner((HOLE,)), "Hole 1 lies in what is removed"),
+        (Inner((Polygon.of([(100, 100), (160, 100), (160, 150)]),)), "Hole 1 reaches into what is"),
+        (Inner(lines=(((60, 60), (90, 90)),)), "Line 1 lies in what is removed"),
+        (Inner(lines=(((60, 60), (20, 90)),)), "Line 1 lies outside the outline"),
+        (Inner((Polygon.of([(20, 60), (180, 60), (180, 90)]),)), "Hole 1 crosses the outline"),
+    ):
+        with pytest.raises(IconstudioError, match=said):
+            check_inner(inner, outline, gone)
+
+
+def test_a_hole_around_a_part_of_the_outline_covers_it():
+    small = Polygon.of([(220, 220), (240, 220), (240, 240), (220, 240)])
+    around = Polygon.of([(214, 214), (250, 214), (250, 250), (214, 250)])
+    with pytest.raises(IconstudioError, match="Hole 1 covers a part of the outline"):
+        check_inner(Inner((around,)), fill_polygon(SQUARE) | fill_polygon(small))
+
+
 def test_what_touches_the_outline_lies_inside():
     half = Polygon(((48, 48), (128, 48), (128, 208), (48, 208)))
     check_inner(Inner((half,), (((48, 48), (208, 208)),)), fill_polygon(SQUARE))

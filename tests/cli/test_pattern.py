@@ -110,6 +110,7 @@ def test_options_count_more_than_the_file(file, tmp_path):
         ({"motifs": [{"icon": "mdi:fish", "x": -900}]}, "No ink of the icons lies on the canvas"),
         ({"motifs": [], "workflow": "pattern"}, "no exemplar yet"),
         ({"motifs": MOTIFS, "image": "x.png"}, "give one of the two"),
+        ({"motifs": MOTIFS, "colours": 3}, '"colours" goes with "image", and there is none.'),
         ({"motifs": MOTIFS, "width": 10_000, "height": 10_000}, "GiB of memory"),
         ({"motifs": MOTIFS * 30}, "has 270 entries; at most 200 are read"),
         ({"motifs": MOTIFS, "widht": 9}, 'Write "width"'),

@@ -22,6 +22,8 @@ CROSS = (
     'stroke-width="2"><path d="M{x} 4V20M4 {x}H20"/></svg>'
 )
 
+BAR = {"width": 9, "points": [[20, 128], [236, 128]]}
+
 
 def ink(svg):
     return render_coverage(svg, Frame(0, 0, CANVAS), CANVAS) > 127
@@ -105,6 +107,39 @@ def test_a_file_gives_a_folder_or_an_icon(tmp_path, capsys):
     words = ["restyle", str(file), "--seed", "4", "--out", str(tmp_path / "other.svg")]
     assert run(words, None) == 0
     assert (tmp_path / "other.svg").read_bytes() != made
+
+
+@pytest.mark.parametrize(
+    ("file", "said"),
+    [
+        ({"icon": "cross.svg"}, "no"),
+        ({"icon": "cross.svg", "others": [9]}, "line 9, which is not there: there are lines 0 to"),
+        ({"lines": [BAR], "others": [0, 1]}, "line 1, which is not there: there is line 0 only"),
+        ({"others": [0]}, "line 0, which is not there: there are no lines"),
+        ({"lines": [BAR, BAR], "others": [1, 1]}, '"others" gives line 1 2 styles. Keep one.'),
+    ],
+)
+def test_a_line_that_is_not_there_has_no_style(tmp_path, capsys, file, said):
+    (tmp_path / "cross.svg").write_text(CROSS.format(x=9))
+    others = [{"line": line, "style": "Waves"} for line in file.get("others", ())]
+    path = tmp_path / "restyle.json"
+    path.write_text(json.dumps(file | {"style": "Loose", "others": others}))
+    code = run(["restyle", str(path), "--out", str(tmp_path / "x.svg")], None)
+    told = capsys.readouterr().err
+    assert (code, said in told) == ((2, True) if others else (0, False)), told
+
+
+def test_a_line_that_would_not_be_seen_is_told(tmp_path, capsys):
+    path, out = tmp_path / "restyle.json", tmp_path / "x.svg"
+    thin, away = {"points": BAR["points"]}, {"width": 9, "points": [[900, 128], [990, 128]]}
+    path.write_text(json.dumps({"style": "Loose", "lines": [BAR, thin]}))
+    assert run(["restyle", str(path), "--out", str(out)], None) == 2
+    assert 'line 2: The line encloses nothing that is filled. Give it a "width"' in (
+        capsys.readouterr().err
+    )
+    path.write_text(json.dumps({"style": "Loose", "lines": [BAR, away]}))
+    assert run(["restyle", str(path), "--out", str(out)], None) == 0
+    assert "Line 2 lies outside the canvas" in capsys.readouterr().err
 
 
 def test_a_scribble_is_as_long_as_asked_and_wholly_in_its_picture(tmp_path):

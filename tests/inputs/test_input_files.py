@@ -268,6 +268,8 @@ MISTAKES = [
     (read_edit, edit(exclude=["", "a\0b"]), '"exclude" holds characters that are none'),
     (read_edit, edit(symmetry="sideways"), "one of horizontal, vertical, diagonal, antidiagonal"),
     (read_edit, edit(symmetry=["horizontal"]), "null or one of"),
+    (read_edit, edit(symmetry=" Vertical "), 'antidiagonal. Write "vertical" if you mean that.'),
+    (read_sketch, {"polygon": SQUARE, "symmetry": "anti-diagonal"}, 'Write "antidiagonal" if'),
     (read_edit, edit(add=SQUARE), "Point 1 of polygon 1"),
     (read_edit, edit(add={"a": 1}), '"add" must be a list of polygons'),
     (read_edit, edit(add=[7]), 'polygon 1 of "add" must be a list'),

@@ -183,7 +183,7 @@ def test_credits_name_every_set_and_hold_every_licence(make):
     folder = make(icon_set("a", {"dog": shape(1)}), icon_set("b", {"dog": shape(2)}, license=by))
     text = (folder / "CREDITS").read_text()
     for part in (
-        "A 1.2.3 (a, 1 icons)",
+        "A 1.2.3 (a, 1 icon)",
         "Author of b",
         "CC-BY-4.0, https://example.org/by",
         "9.9.9",

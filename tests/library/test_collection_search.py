@@ -362,8 +362,63 @@ def test_one_comes_before_several_of_a_style(opened):
     assert ids(collection, "filled stars")[0].startswith("stars-")
 
 
+def test_a_word_of_another_language_that_icons_only_mention_is_told(opened):
+    collection = opened(small("candle-lit", "bed", "house", "see-saw"))
+    assert collection.remark("lit") == "Did you mean bed?"
+    assert collection.remark("bed") == collection.remark("candle") == ""
+    for word, meant in (("warenkorb", "shopping cart"), ("buscar", "search"), ("설정", "settings")):
+        with pytest.raises(IconstudioError, match=f"Did you mean {meant}"):
+            opened(small("shopping-cart", "search", "settings")).search(word)
+
+
+def test_half_a_heart_is_neither_solid_nor_outlined(opened):
+    names = "heart-half-fill", "heart-fill", "heart-outline", "half-heart"
+    collection = opened(small(*names))
+    found = ids(collection, "solid heart")
+    assert found[:2] == ["heart-fill", "heart-half-fill"]
+    assert ids(collection, "outline heart")[0] == "heart-outline"
+    assert ids(collection, "half heart fill")[0] == "heart-half-fill"
+
+
+def test_a_style_is_heeded_where_the_words_are_but_a_kind_of_something(opened):
+    """Nothing is called *roundhouse*, which WordNet knows as a workplace."""
+    names = "house", "house-rounded", "workplace", "house-sharp"
+    collection = opened(small(*names))
+    assert ids(collection, "round house")[0] == "house-rounded"
+    assert collection.remark("round house") == ""
+    assert ids(opened(small(*names, "roundhouse")), "round house")[0] == "roundhouse"
+
+
+def test_a_style_that_no_icon_has_is_told(opened):
+    collection = opened(small("square", "square-2", "star-rounded", "square-rounded-plus"))
+    assert ids(collection, "rounded square")[0].startswith("square")
+    assert "called “rounded”" in collection.remark("rounded square")
+    assert collection.remark("rounded star") == collection.remark("solid square") == ""
+
+
+def test_small_words_are_in_no_remark(opened, monkeypatch):
+    monkeypatch.setattr("iconstudio.library.lookup._MORE", 2)
+    names = [name for one in ("house", "garden", "a") for name in several(one)]
+    collection = opened(small(*names, "house-with-a-garden"))
+    assert "“house” and “garden”" in collection.remark("a house with a garden")
+    with pytest.raises(IconstudioError, match="Alone, these words find icons: garden, house"):
+        opened(small(*names)).search("a garden of a house")
+
+
 @pytest.mark.parametrize(
-    "typed", ["mdi-star", "mdi mdi-star", "MdStar", "fas fa-star", "mdiStar", "a-star", "a:star"]
+    "typed",
+    [
+        "mdi-star",
+        "mdi mdi-star",
+        "<MdStar/>",
+        '<i class="bi bi-star">',
+        "star.svg",
+        "MdStar",
+        "fas fa-star",
+        "mdiStar",
+        "a-star",
+        "a:star",
+    ],
 )
 def test_a_name_as_code_writes_it_finds_the_thing(opened, typed):
     collection = opened(small("star", "star-mdi", "house"))

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from iconstudio.model import CANVAS
-from iconstudio.workflows.editing.additions import judged, shown, with_missed
+from iconstudio.model import CANVAS, Placement
+from iconstudio.workflows.editing.additions import doubts, judged, shown, with_missed
 from iconstudio.workflows.events import Remark, Result
 from tests.output.made import made, quarters
 
@@ -39,6 +39,14 @@ def test_what_shows_little_of_what_was_added_fits_the_change_less():
     assert 0 < fits[0] < fits[1] < fits[2] < ICON.score.likeness
     few = AWAY & (np.arange(CANVAS) < 3)  # 60 of 460 pixels
     assert judged(ICON, few | WITHIN) is ICON
+
+
+def test_it_is_said_if_all_is_made_smaller_to_have_room():
+    (sentence,) = doubts(Placement(0.87), ())
+    assert "to 87% of its size" in sentence
+    assert list(doubts(Placement(), ())) == list(doubts(Placement(0.999), ())) == []
+    inside, other = doubts(Placement(1.0, dx=9), (1, 3))
+    assert "area 1 lies inside" in inside and "area 3 lies inside" in other
 
 
 def test_it_is_said_if_no_result_shows_what_was_added():

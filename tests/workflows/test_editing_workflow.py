@@ -125,6 +125,14 @@ def test_it_is_told_which_additions_lie_inside_the_outline():
     assert place_edit(edit, with_knob).enclosed == ()
 
 
+def test_a_hole_in_a_part_that_is_removed_is_told_so():
+    red, hole = rectangle(190, 90, 250, 210), rectangle(205, 120, 230, 180)
+    edit = Edit(ICON.pictogram, "body", (red,), inner=Inner((hole,)))
+    with pytest.raises(IconstudioError, match="Hole 1 lies in what is removed"):
+        place_edit(edit, ICON)
+    place_edit(replace(edit, add=(rectangle(195, 90, 250, 210),)), ICON)  # something comes there
+
+
 def test_holes_and_lines_move_with_an_icon_that_is_made_smaller():
     edit = replace(EDIT, add=(rectangle(60, -100, 110, 100),))
     edit = replace(edit, inner=Inner(lines=(((60, -90), (110, -90)),)))

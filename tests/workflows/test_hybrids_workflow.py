@@ -109,8 +109,8 @@ def test_what_is_pinned_is_kept(workers):
         ({"icons": MIX.icons * 67}, "201 icons cannot be mixed"),
         ({"icons": (MIX.icons[0], MIX.icons[0])}, "chosen twice"),
         ({"draws": 0}, "0 draws"),
-        ({"draws": 10**6}, "1000000 draws"),
-        ({"pins": ((),)}, "pins for 1 icons"),
+        ({"draws": 10**6}, "1,000,000 draws"),
+        ({"pins": ((),)}, "pins for 1 icon, but 3 icons are mixed"),
     ],
 )
 def test_bad_mixes_are_refused(change, words, workers):

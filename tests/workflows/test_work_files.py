@@ -92,6 +92,23 @@ def test_a_file_of_a_workflow_to_come_is_refused(path):
         read_hybrids(path)
 
 
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [
+        ("Hybrids", "hybrids"),
+        (" edit ", "edit"),
+        ("editing", "edit"),
+        ("Line style", "restyle"),
+        ("sketch", "model"),
+        ("montag", "montage"),
+    ],
+)
+def test_the_name_of_a_workflow_that_is_nearly_right_is_proposed(name, meant, path):
+    write(path, OLD | {"workflow": name})
+    with pytest.raises(IconstudioError, match=f'Write "workflow": "{meant}" if you mean that.'):
+        read_hybrids(path)
+
+
 def test_the_name_of_a_workflow_is_a_text(path):
     with pytest.raises(IconstudioError, match="workflow"):
         read_hybrids(write(path, OLD | {"workflow": 5}))

@@ -160,8 +160,10 @@ def sharpness(polygon: Polygon, side: int = CANVAS) -> NDArray[np.float32]:
     return np.kron(near, np.ones((finer, finer), np.float32))
 
 
-def check_inner(inner: Inner, outline: Bitmap) -> None:
+def check_inner(inner: Inner, outline: Bitmap, gone: Bitmap | None = None) -> None:
     """Refuse what does not lie inside an outline, (m, m); all is in canvas units.
+
+    ``gone`` (m, m) was inside before it was removed.
 
     Raises
     ------
@@ -171,24 +173,27 @@ def check_inner(inner: Inner, outline: Bitmap) -> None:
     if not (inner.holes or inner.lines):
         return
     side = len(outline)
-    away = scipy.ndimage.distance_transform_edt(~outline) * CANVAS / side
+    away = _away(outline)
+    away_before = away if gone is None else _away(outline | gone)
     for name, shapes in (
         ("Hole", [(*hole.vertices, hole.vertices[0]) for hole in inner.holes]),
         ("Line", inner.lines),
     ):
         for number, points in enumerate(shapes, start=1):
             outside = _outside(points, away)
-            all_of_it = (
-                name == "Hole" and not (outline & ~fill_polygon(Polygon(points), side)).any()
-            )
+            filled = fill_polygon(Polygon(points), side) & (name == "Hole")
+            if outside.any() and not _outside(points, away_before).any():
+                where = "lies in" if outside.all() else "reaches into"
+                raise IconstudioError(
+                    f"{name} {number} {where} what is removed, where nothing is left for it. "
+                    "Move it, or remove less."
+                )
             if outside.any():
-                where = "lies outside" if outside.all() else "crosses"
-                if all_of_it:
-                    where = "covers"
+                where = _beyond(outside, outline, filled)
                 raise IconstudioError(
                     f"{name} {number} {where} the outline. Move it inside, or remove it."
                 )
-            if all_of_it:
+            if not (outline & ~filled).any():
                 raise IconstudioError(
                     f"Hole {number} leaves nothing of the outline. Draw it smaller, or remove it."
                 )
@@ -197,6 +202,21 @@ def check_inner(inner: Inner, outline: Bitmap) -> None:
             raise IconstudioError(
                 f"Hole {number} is too small to be seen. Draw it larger, or remove it."
             )
+
+
+def _beyond(outside: Bitmap, outline: Bitmap, filled: Bitmap) -> str:
+    """Return how a line, or a hole that is ``filled``, lies to an outline it is not inside of."""
+    if not (outline & ~filled).any():
+        return "covers"
+    if not outside.all():
+        return "crosses"
+    return "covers a part of" if (outline & filled).any() else "lies outside"
+
+
+def _away(outline: Bitmap) -> NDArray[np.float64]:
+    """Return how far away each site is from an outline (m, m), in canvas units."""
+    away: NDArray[np.float64] = scipy.ndimage.distance_transform_edt(~outline)
+    return away * CANVAS / len(outline)
 
 
 def _outside(points: Sequence[Point], away: NDArray[np.float64]) -> Bitmap:

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QWidget
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.layout import column, label
 from iconstudio.gui.theme.theme import UNIT
+from iconstudio.inputs.together import counted
 
 HINTS = {
     "lightest": "thin lines",
@@ -75,4 +76,4 @@ class RowHead(QWidget):
 
     def set_count(self, count: int | None) -> None:
         """Say how many icons the style had to choose from."""
-        self._count.setText("" if count is None else f"from {count} icons")
+        self._count.setText("" if count is None else f"from {counted(count, 'icon')}")

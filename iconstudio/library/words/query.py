@@ -204,8 +204,10 @@ def style(words: tuple[str, ...]) -> Style:
             same.update(*(group for group in groups if group & asked))
             others.update(*groups)
     solid = bool(asked & (SOLID | HEAVY))
-    either = solid == bool(asked & (LINES | THIN))
-    return Style(frozenset(same), frozenset(others - same), None if either else solid, thing)
+    if solid == bool(asked & (LINES | THIN)):
+        return Style(frozenset(same), frozenset(others - same), None, thing)
+    contrary = {"half", "empty" if solid else "full"}
+    return Style(frozenset(same), frozenset((others - same) | (contrary - thing)), solid, thing)
 
 
 def without_framing(words: tuple[str, ...]) -> tuple[str, ...]:

@@ -169,7 +169,8 @@ OTHER_IN_PLURAL = frozenset({"boxers", "glasses", "greens", "news"})
 BRANDS = words(
     """
     acer adidas adobe airbnb aldi asus audi bluesky bmw bosch canon chanel citroen colgate discord
-    docker dotnet ebay etsy facebook fanta ferrari fiat firefox flickr gucci heineken honda huawei
+    docker dotnet ebay etsy facebook fanta ferrari fiat firefox flickr github gitlab gucci
+    heineken honda huawei
     hulu hyundai ikea instagram intel jira kia lenovo levis lidl linkedin mastodon mercedes nestle
     netflix nike nikon nintendo nissan nokia nvidia opel paypal pepsi philips pinterest porsche
     prada reddit renault rolex safari samsung shein shopify siemens skoda skype slack snapchat sony
@@ -211,7 +212,42 @@ EVERYDAY = _listed(
     むし: insect, くも: cloud, ゆき: snow, 비: rain, あめ: rain, たいよう: sun, かぎ: key,
     えんぴつ: pencil, たまご: egg, おちゃ: tea, 개구리: frog, かえる: frog, へび: snake,
     かめ: turtle, ケーキ: cake, 케이크: cake, トラック: truck, 트럭: truck, ロボット: robot,
-    로봇: robot, 手紙: letter, てがみ: letter, 편지: letter
+    로봇: robot, 手紙: letter, てがみ: letter, 편지: letter,
+    einstellungen: settings, ajustes: settings, configuracion: settings, parametres: settings,
+    reglages: settings, impostazioni: settings, configuracoes: settings, 設定: settings,
+    设置: settings, 설정: settings, настроики: settings, instellingen: settings,
+    ustawienia: settings, ayarlar: settings, installningar: settings, suche: search,
+    suchen: search, buscar: search, busqueda: search, recherche: search, chercher: search,
+    cerca: search, ricerca: search, pesquisar: search, busca: search, 検索: search, 搜索: search,
+    검색: search, поиск: search, zoeken: search, szukaj: search, ara: search, sok: search,
+    lupe: magnifying_glass, lupa: magnifying_glass, benutzer: user, nutzer: user, usuario: user,
+    utilisateur: user, utente: user, ユーザー: user, 用户: user, 사용자: user, пользователь: user,
+    gebruiker: user, uzytkownik: user, kullanici: user, kalender: calendar, プリンター: printer,
+    プリンタ: printer, warenkorb: shopping_cart, carrito: shopping_cart, carrinho: shopping_cart,
+    panier: shopping_cart, carrello: shopping_cart, カート: shopping_cart, 장바구니: shopping_cart,
+    winkelwagen: shopping_cart, koszyk: shopping_cart, pfeil: arrow, flecha: arrow, fleche: arrow,
+    freccia: arrow, 화살표: arrow, стрелка: arrow, pijl: arrow, strzalka: arrow, seta: arrow,
+    nachricht: message, mensaje: message, messaggio: message, сообщение: message, bericht: message,
+    correo: mail, courrier: mail, posta: mail, correio: mail, メール: mail, 邮件: mail, 메일: mail,
+    почта: mail, herunterladen: download, descargar: download, telecharger: download,
+    scaricare: download, baixar: download, 下载: download, ダウンロード: download,
+    다운로드: download, скачать: download, hochladen: upload, subir: upload, televerser: upload,
+    caricare: upload, speichern: save, guardar: save, enregistrer: save, salva: save, salvar: save,
+    salvare: save, 保存: save, 저장: save, сохранить: save, loschen: trash, borrar: trash,
+    eliminar: trash, supprimer: trash, elimina: trash, 削除: trash, 删除: trash, 삭제: trash,
+    удалить: trash, mulleimer: trash, mull: trash, poubelle: trash, basura: trash, lixo: trash,
+    spazzatura: trash, anmelden: log_in, connexion: log_in, accedi: log_in, entrar: log_in,
+    startseite: home, accueil: home, inicio: home, ホーム: home, 홈: home, главная: home,
+    huis: house, hus: house, dom: house, hogar: house, werkzeug: tool, herramienta: tool,
+    outil: tool, attrezzo: tool, ferramenta: tool, 工具: tool, 도구: tool, инструмент: tool,
+    candado: lock, cadenas: lock, lucchetto: lock, cadeado: lock, замок: lock, slot: lock,
+    landkarte: map, mapa: map, mappa: map, carte: map, 地図: map, 地图: map, 지도: map, карта: map,
+    kaart: map, standort: location, ubicacion: location, emplacement: location,
+    posizione: location, localizacao: location, rechner: computer, ordenador: computer,
+    ordinateur: computer, コンピューター: computer, 电脑: computer, 컴퓨터: computer,
+    компьютер: computer, sleutel: key, klucz: key, nyckel: key, anahtar: key, fiets: bicycle,
+    rower: bicycle, cykel: bicycle, bil: car, coche: car, teller: plate, vis: screw,
+    schraube: screw, lit: bed
     """
 )
 """Words of other languages, without accents, that no emoji is called by, or something else."""

@@ -1,17 +1,21 @@
 """Whether results show what was added to an icon, and what is said if they do not."""
 
-from collections.abc import Generator
+from collections.abc import Generator, Iterable, Iterator
 from contextlib import closing
 from dataclasses import replace
 
 from iconstudio.algorithms.iconification.overhang import seen
 from iconstudio.algorithms.raster import Bitmap, solid
-from iconstudio.model import Remix
+from iconstudio.model import Placement, Remix
 from iconstudio.workflows.events import Event, Remark, Result
 
-INSIDE = (
+_INSIDE = (
     "Added area {} lies inside the icon's outline and adds nothing to it: what results show there, "
     "parts of other icons happen to have. Draw a hole or lines for what is to be seen inside."
+)
+_SMALLER = (
+    "What you added has no room on the canvas, or reaches its border: all is made smaller, to "
+    "{} of its size. To keep the size, draw it further inside."
 )
 _MISSED = (
     "No result shows much of what you added, {:.0%} at most: other icons have little like it "
@@ -20,6 +24,17 @@ _MISSED = (
 _LEAST, _MUCH, _WHOLE = 0.1, 0.5, 0.8
 """A result that shows less of what was added does not fit the change at all; one that shows so
 much shows it; and one that shows so much shows it whole."""
+
+
+def doubts(placement: Placement, enclosed: Iterable[int]) -> Iterator[str]:
+    """Yield what a user should know of additions before they are made.
+
+    ``placement`` is that of the icon with them; those that are ``enclosed`` add nothing to it.
+    """
+    size = f"{placement.scale:.0%}"
+    if placement.scale < 1 and size != "100%":
+        yield _SMALLER.format(size)
+    yield from map(_INSIDE.format, enclosed)
 
 
 def judged(icon: Remix, wanted: Bitmap) -> Remix:

@@ -50,7 +50,7 @@ from iconstudio.model import (
 )
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render, draw_whole
-from iconstudio.workflows.editing.additions import INSIDE, judged, with_missed
+from iconstudio.workflows.editing.additions import doubts, judged, with_missed
 from iconstudio.workflows.editing.emptying import Emptied, begin_emptying
 from iconstudio.workflows.editing.fitting import fitted
 from iconstudio.workflows.editing.lookalikes import lookalikes
@@ -199,7 +199,7 @@ def place_edit(
         raise IconstudioError("Nothing of the icon would be left. Remove less, or add something.")
     inner = edit.inner.moved(placement.transform.transformPoint)
     inner.check()
-    check_inner(inner, silhouette)
+    check_inner(inner, silhouette, gone)
     lines = scribble([Stroke(0, one) for one in inner.lines], side)
     drawn = filled_polygons(inner.holes, side) | lines
     mask = truncated_distance(removed | added | drawn, EDIT_REACH * side / CANVAS)
@@ -276,8 +276,7 @@ def run(
     """
     icon = resources.exemplar(edit.icon)
     change = place_edited(edit, icon, resources.workers, resources.render)
-    for number in change.enclosed:
-        yield Remark(INSIDE.format(number))
+    yield from map(Remark, doubts(change.base.placement, change.enclosed))
     settings = settings or GridSettings(styles=own_styles(icon))
     settings.chosen_styles()
     matcher = yield from resources.prepare(edit.keyword, edit.exclude, settings.scales)

@@ -20,6 +20,7 @@ from iconstudio.algorithms.iconification.guidance import (
 from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.ranking import Gallery
 from iconstudio.algorithms.iconification.symmetry import reflected
+from iconstudio.inputs.together import counted
 from iconstudio.model import (
     CANVAS,
     Axis,
@@ -58,19 +59,21 @@ def check(mix: Mix) -> None:
     """
     count = len(mix.icons)
     if not FEWEST <= count <= MOST:
-        icons = "1 icon" if count == 1 else f"{count} icons"
         raise IconstudioError(
-            f"{icons} cannot be mixed: choose {FEWEST} to {MOST} different icons."
+            f"{counted(count, 'icon')} cannot be mixed: choose {FEWEST} to {MOST} different icons."
         )
     ids = [icon.id for icon in mix.icons]
     for name in ids:
         if ids.count(name) > 1:
             raise IconstudioError(f"“{name}” is chosen twice. Choose different icons.")
     if not 1 <= mix.draws <= MOST_DRAWS:
-        raise IconstudioError(f"{mix.draws} draws are not possible: ask for 1 to {MOST_DRAWS}.")
+        raise IconstudioError(
+            f"{counted(mix.draws, 'draw')} cannot be made: ask for 1 to {MOST_DRAWS}."
+        )
     for seeds, name in ((mix.pins, "pins"), (mix.like, "seeds")):
         if seeds and len(seeds) != count:
-            raise IconstudioError(f"There are {name} for {len(seeds)} icons, but {count} icons.")
+            icons = counted(len(seeds), "icon")
+            raise IconstudioError(f"There are {name} for {icons}, but {count} icons are mixed.")
     if mix.pins:
         _check_pins(mix)
 

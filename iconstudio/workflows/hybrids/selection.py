@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.iconification.style import STYLES, blackness
 from iconstudio.algorithms.iconification.symmetry import likeness
 from iconstudio.algorithms.raster import solid
+from iconstudio.inputs.together import counted
 from iconstudio.model import CANVAS, Axis, Exemplar, IconstudioError, Pictogram
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST
@@ -54,7 +55,9 @@ def select_icons(
         If the count is out of range, or there are too few icons that suit each other.
     """
     if not FEWEST <= count <= MOST:
-        raise IconstudioError(f"{count} icons cannot be mixed: ask for {FEWEST} to {MOST}.")
+        raise IconstudioError(
+            f"{counted(count, 'icon')} cannot be mixed: ask for {FEWEST} to {MOST}."
+        )
     shapes = [(one, solid(one.ink)) for one in exemplars[:CANDIDATES]]
     if symmetry is not None:
         shapes = [pair for pair in shapes if likeness(pair[1], symmetry) >= SYMMETRIC]

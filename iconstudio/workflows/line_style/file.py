@@ -1,15 +1,18 @@
 """RESTYLE.json: an icon or lines, and the style that they take."""
 
+from collections import Counter
+from collections.abc import Generator
 from typing import Annotated, Self
 
 from msgspec import Meta
 
 from iconstudio.inputs.formats import Many, Reference, StrictRecord, Text
 from iconstudio.inputs.line_style import StyleFile
-from iconstudio.inputs.lines import STRAY, line
+from iconstudio.inputs.lines import STRAY, line, meets_canvas
 from iconstudio.inputs.styles import bundled, named
 from iconstudio.inputs.wide_points import WidePoints, carried, check_widths, parted, wide_points
-from iconstudio.model import CANVAS, IconstudioError, Line, LineStyle, Restyling
+from iconstudio.model import CANVAS, IconstudioError, Line, LineStyle, Polygon, Restyling
+from iconstudio.workflows.events import Event
 from iconstudio.workflows.line_style.restyling import (
     LARGEST,
     LARGEST_SEED,
@@ -17,7 +20,7 @@ from iconstudio.workflows.line_style.restyling import (
     STRONGEST,
     WEAKEST,
 )
-from iconstudio.workflows.workflow import File, Find, Refer
+from iconstudio.workflows.workflow import File, Find, Refer, Resources
 
 MANY_TOLD = 20_000
 """Of lines of more points it is said that they are simplified; nobody sees it."""
@@ -53,6 +56,21 @@ class LineFile(StrictRecord, frozen=True):
         if len({point[:2] for point in self.points}) < 2:
             raise IconstudioError("A line needs at least 2 different points.")
         check_widths(self.points, "line")
+        places, widths = parted(self.points)
+        if self.width or widths:
+            return
+        try:
+            Polygon.of(places).check_area()
+        except IconstudioError:
+            raise IconstudioError(
+                'The line encloses nothing that is filled. Give it a "width" to be drawn with.'
+            ) from None
+
+    @property
+    def meets_canvas(self) -> bool:
+        """Whether the box around it has a part of the canvas."""
+        places, widths = parted(self.points)
+        return meets_canvas(places, max(self.width, *widths, 0.0))
 
 
 class OtherStyle(StrictRecord, frozen=True):
@@ -90,13 +108,39 @@ class RestyleFile(File[Restyling], frozen=True):
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Which lines are simplified."""
-        return tuple(
-            f"Line {number} has {len(one.points):,} points; it is drawn with fewer, "
-            f"at most {STRAY} units off."
-            for number, one in enumerate(self.lines, start=1)
-            if len(one.points) > MANY_TOLD
-        )
+        """Which lines are simplified, and which cannot be seen."""
+        told = []
+        for number, one in enumerate(self.lines, start=1):
+            if len(one.points) > MANY_TOLD:
+                told.append(
+                    f"Line {number} has {len(one.points):,} points; it is drawn with fewer, "
+                    f"at most {STRAY} units off."
+                )
+            if not one.meets_canvas:
+                told.append(
+                    f"Line {number} lies outside the canvas, 0 to {CANVAS}: nothing of it is seen."
+                )
+        return tuple(told)
+
+    def check(self) -> None:
+        """Refuse two styles for one line."""
+        for number, times in Counter(one.line for one in self.others).items():
+            if times > 1:
+                raise IconstudioError(f'"others" gives line {number} {times} styles. Keep one.')
+
+    def resolving(self, resources: Resources) -> Generator[Event, None, Restyling]:
+        """Return the work, whose icon has all lines that are given styles of their own."""
+        work = yield from super().resolving(resources)
+        own = resources.lines(work.icon) if work.icon is not None else ()
+        count = len(own) + len(work.strokes)
+        for number, _ in work.others:
+            if number >= count:
+                there = f"are lines 0 to {count - 1}" if count > 1 else "is line 0 only"
+                raise IconstudioError(
+                    f'"others" gives a style to line {number}, which is not there: there '
+                    f"{there if count else 'are no lines'}. Mend its number, or remove it."
+                )
+        return work
 
     def resolved(self, find: Find) -> Restyling:
         """Return the work, its icon found by ``find``."""

@@ -17,6 +17,7 @@ from time import perf_counter
 from typing import Any, Protocol
 
 from iconstudio.cluster import DisconnectedError
+from iconstudio.inputs.together import counted
 from iconstudio.model import CANVAS, IconstudioError, LineStyle, Path, Pictogram, Transform
 from iconstudio.model.icon_set import Member
 from iconstudio.workers import Workers, loss
@@ -147,7 +148,7 @@ def restyle_set(
     def progress() -> Progress:
         left = remaining(worked, len(members) - settled, clock() - began)
         done = settled / max(1, len(members))
-        return Progress("remix", done, f"{settled} of {len(members)} icons", left)
+        return Progress("remix", done, f"{settled} of {counted(len(members), 'icon')}", left)
 
     yield progress()
     try:

@@ -19,6 +19,7 @@ from iconstudio.algorithms.iconification.style import Style
 from iconstudio.algorithms.iconification.symmetry import ROUGHLY, propose
 from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import fill_polygon
+from iconstudio.inputs.together import counted
 from iconstudio.model import Axis, Composite, Sketch, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
@@ -162,15 +163,15 @@ def pose_sketch(
 def refusal(style: Style, count: int, rows: Matches | None) -> str:
     """Say why a style with ``count`` exemplars, and these matches, would give no good result."""
     if count < FEWEST:
-        icons = "1 icon" if count == 1 else f"{count or 'no'} icons"
+        icons = counted(count, "icon") if count else "no icons"
         return (
             f"The collection has {icons} of this keyword in the style {style.name}; "
             f"at least {FEWEST} are needed."
         )
     if count < FEW and rows and _least_error(rows) > UNLIKE:
         return (
-            f"The collection has only {count} icons of this keyword in the style {style.name}, "
-            "and none resembles the sketch."
+            f"The collection has only {counted(count, 'icon')} of this keyword in the style "
+            f"{style.name}, and none resembles the sketch."
         )
     return ""
 

@@ -6,7 +6,7 @@ from typing import Annotated, Self
 from msgspec import Meta
 
 from iconstudio.inputs.formats import MOST_POINTS, Many, Reference, StrictRecord
-from iconstudio.inputs.lines import line, rounded
+from iconstudio.inputs.lines import line, meets_canvas, rounded
 from iconstudio.model import CANVAS, IconstudioError, Layer, Montage, Placement, Stroke
 from iconstudio.workflows.files import open_file
 from iconstudio.workflows.montage.montage import LARGEST, SMALLEST
@@ -43,9 +43,7 @@ class StrokeFile(StrictRecord, frozen=True):
     @property
     def meets_canvas(self) -> bool:
         """Whether the box around it has a part of the canvas."""
-        reach = self.width / 2
-        xs, ys = ([point[axis] for point in self.points] for axis in (0, 1))
-        return all(-reach < max(some) and min(some) < CANVAS + reach for some in (xs, ys))
+        return meets_canvas(self.points, self.width)
 
     def check(self) -> None:
         """Refuse what is neither a line nor a dot."""

@@ -129,9 +129,12 @@ class PatternFile(File[Patterning], frozen=True):
         )
 
     def check(self) -> None:
-        """Refuse two exemplars, and what is no colour."""
+        """Refuse two exemplars, what is of an image only, and what is no colour."""
         if self.motifs and self.image:
             raise IconstudioError("An exemplar is an image, or icons: give one of the two.")
+        given = {"colours": self.colours is not None, "corrections": bool(self.corrections)}
+        for key in (key for key, there in given.items() if there and not self.image):
+            raise IconstudioError(f'"{key}" goes with "image", and there is none. Remove it.')
         ground_of(self.ground)
 
     def resolved(self, find: Find) -> Patterning:

@@ -25,6 +25,7 @@ from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.layout import tool_button, with_role
 from iconstudio.gui.theme.painting import smooth_painter
 from iconstudio.gui.theme.theme import UNIT
+from iconstudio.inputs.together import counted
 from iconstudio.model import CANVAS, Axis, Point
 from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.hybrids import pinned
@@ -86,7 +87,7 @@ class IconCard(QWidget):
             "Click a part that every hybrid should keep; click its pin to free it.\n"
             "Or move a mark there with the arrow keys, and press Space"
         )
-        self.setAccessibleName(f"{ingredient.name}, {len(ingredient.pins)} pins")
+        self.setAccessibleName(f"{ingredient.name}, {counted(len(ingredient.pins), 'pin')}")
         self.button.setToolTip(f"Do not mix {ingredient.name} (Delete)")
         self.button.setAccessibleName(f"Do not mix {ingredient.name}")
         self.update()

@@ -11,6 +11,7 @@ from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.pictures.picture import Picture, pictured
 from iconstudio.gui.workspaces.hybrids.panels import SheetPanel
 from iconstudio.gui.workspaces.hybrids.sections import Section
+from iconstudio.inputs.together import counted
 from iconstudio.model import CANVAS, IconstudioError, Mix
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
@@ -192,7 +193,7 @@ class Draws(QObject):
             self._seen = Seen([one.icon for one in self._sections.pictures])
         if whole or new:
             more = " · nothing new any more" if section.exhausted else " · scroll on for more"
-            self._sections.end(section, Rule(f"{section.drawn} draws", more=more))
+            self._sections.end(section, Rule(counted(section.drawn, "draw"), more=more))
 
     def _show_section(self) -> None:
         self._panel.button.setVisible(self._sections.alone is not None)

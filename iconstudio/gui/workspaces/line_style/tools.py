@@ -11,6 +11,7 @@ from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
 from iconstudio.gui.theme.theme import Theme
 from iconstudio.gui.workspaces.line_style.scene import RestyleScene, outline, pen
+from iconstudio.inputs.together import counted
 from iconstudio.inputs.wide_points import FAR
 from iconstudio.model import Line, Point, Restyling
 from iconstudio.workflows.line_style import page as edits
@@ -40,9 +41,9 @@ class SelectTool(Tool):
         if page.work.style is None:
             return "Choose a style on the left, or draw an example"
         if page.selected:
-            count = len(page.selected)
-            what = "1 line is" if count == 1 else f"{count} lines are"
-            return f"{what} selected: the next style that you choose is for them only"
+            what = counted(len(page.selected), "line")
+            verb = "is" if len(page.selected) == 1 else "are"
+            return f"{what} {verb} selected: the next style that you choose is for them only"
         return "Click lines, or drag a box around some, to give them a style of their own"
 
     def press(self, pointer: Pointer) -> None:
