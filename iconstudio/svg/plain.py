@@ -9,7 +9,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from iconstudio.svg import attribution, classes, references, shadows, sprites, templates
+from iconstudio.svg import attribution, classes, figma, references, shadows, sprites, templates
 from iconstudio.svg.animation import as_one, finish
 from iconstudio.svg.bitmaps import Shown, is_page, put_back, shown, stand_for
 from iconstudio.svg.bounds import bounds
@@ -122,6 +122,7 @@ def plain(
     remarks = [*remarks, *finish(root, midway)]
     if any(True for _ in root.iter("script")):
         remarks.append("A script was not run.")
+    remarks += figma.without_web_pages(root)
     painting = classes.painting(root)
     remarks += apply_styles(root, midway)
     remarks += embed(root)
