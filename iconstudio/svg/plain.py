@@ -123,7 +123,7 @@ def plain(
     if any(True for _ in root.iter("script")):
         remarks.append("A script was not run.")
     remarks += figma.without_web_pages(root)
-    painting = classes.painting(root)
+    unread = classes.read(root)
     remarks += apply_styles(root, midway)
     remarks += embed(root)
     addresses = stand_for(root) if with_bitmaps else []
@@ -148,7 +148,7 @@ def plain(
     remarks += outside if kept else []
     remarks += [sentence for element, sentence in missing if element in kept]
     if SHEET_ELSEWHERE not in remarks:
-        remarks += classes.missed(root, kept, painting)
+        remarks += classes.missed(root, kept, unread)
     without = shadows.leave_out(kept)
     if without:
         remarks += without
