@@ -94,7 +94,7 @@ class Attributes:
             return self._spread(html.unescape(inner))
         if name[0] in "@(*#[:" or name.startswith(("v-", "x-on", "x-data")):
             return ""
-        if "{" not in inner or name == "class":
+        if "{" not in inner or name == "class" or name.startswith("data-"):
             return f"{name}={value}"
         if inner.startswith("{") and closing(inner, 1) == len(inner) - 1:
             return self._computed(name, inner.strip("{}"), tag)

@@ -1,5 +1,9 @@
 """Classes that paint by rules which the file does not hold, as those of Tailwind do.
 
+The plainest are read: no paint, black, white, the current colour or one that is written out, widths
+and opacities. All that the document says itself is stronger. Colours of palettes and themes are not
+known: a line of such a colour is drawn, and told.
+
 Most classes of icons say nothing of paint (“lucide lucide-home”), and many that do repeat what
 attributes say. Only what nothing else says, and what would show in black, is told.
 """
@@ -16,39 +20,65 @@ WITHOUT_RULES = (
     "wrong. Save the drawing with its styles embedded."
 )
 
-_COLOUR = r"current|black|white|none|transparent|[a-z]+-\d{2,3}(?:/\d+)?|\[#[^\]]*\]"
-_THEME = r"primary|secondary|accent|muted|foreground|background"
-_PAINTS = {
-    "fill": re.compile(rf"fill-(?:{_COLOUR}|{_THEME})"),
-    "stroke": re.compile(rf"stroke-(?:{_COLOUR}|{_THEME})"),
-    "stroke-width": re.compile(r"stroke-(?:\d+(?:\.\d+)?|\[[\d.]+(?:px)?\])"),
-    "opacity": re.compile(r"opacity-\d{1,2}"),
+_NAMED = {
+    "current": "currentColor", "black": "#000000", "white": "#ffffff", "none": "none",
+    "transparent": "none",
+}  # fmt: skip
+_PAINT = rf"({'|'.join(_NAMED)}|\[#[^\]]*\])"
+_READ = {
+    "fill": re.compile(rf"fill-{_PAINT}"),
+    "stroke": re.compile(rf"stroke-{_PAINT}"),
+    "color": re.compile(r"text-(black|white|\[#[^\]]*\])"),
+    "stroke-width": re.compile(r"stroke-(\d+(?:\.\d+)?|\[[\d.]+(?:px)?\])"),
+    "opacity": re.compile(r"opacity-(\d{1,2})"),
+}
+"""Classes of Tailwind that are read, by properties, and what they say."""
+_UNKNOWN = r"(?:[a-z]+-\d{2,3}(?:/\d+)?|primary|secondary|accent|muted|foreground|background)"
+_UNREAD = {
+    "fill": re.compile(f"fill-{_UNKNOWN}"),
+    "stroke": re.compile(f"stroke-{_UNKNOWN}"),
     "any": re.compile(r"(?:st|cls-|fil|str)\d+"),
 }
 """Of Tailwind, by properties; and of Illustrator and CorelDRAW, which name any."""
-_USUAL = ("fill-current", "fill-black")
-"""What fills as no class at all does."""
-_NONE = ("none", "transparent")
+_SOME = "currentColor"
+"""In place of a colour that is not known."""
 _RULE = re.compile(r"\.((?:[\w-]|\\.)+)")
 
 Classes = Mapping[ET.Element, Mapping[str, str]]
 
 
-def painting(root: ET.Element) -> Classes:
-    """Return for each element its classes that paint and have no rules, by what they would say."""
+def read(root: ET.Element) -> Classes:
+    """Give elements the attributes that their classes without rules stand for, in place.
+
+    Returns
+    -------
+    For each element its classes that paint in a way that is not known, by what they would say.
+    """
     styles = " ".join("".join(one.itertext()) for one in root.iter("style"))
     ruled = {name.replace("\\", "") for name in _RULE.findall(styles)}
-    found: dict[ET.Element, dict[str, str]] = {}
+    unread: dict[ET.Element, dict[str, str]] = {}
     for element in root.iter():
-        for name in set(element.get("class", "").split()) - ruled:
-            for kind, pattern in _PAINTS.items():
-                if pattern.fullmatch(name):
-                    found.setdefault(element, {})[kind] = name
-    return found
+        own = dict(element.attrib)
+        for name in sorted(set(own.get("class", "").split()) - ruled):
+            for kind, pattern in _READ.items():
+                if kind not in own and (match := pattern.fullmatch(name)):
+                    element.set(kind, _value(kind, match[1]))
+            for kind, pattern in _UNREAD.items():
+                if kind not in own and pattern.fullmatch(name):
+                    unread.setdefault(element, {})[kind] = name
+                    if kind == "stroke":
+                        element.set(kind, _SOME)
+    return unread
+
+
+def _value(kind: str, said: str) -> str:
+    """Return the value of an attribute that a class stands for."""
+    said = said.strip("[]")
+    return str(int(said) / 100) if kind == "opacity" else _NAMED.get(said, said)
 
 
 def missed(root: ET.Element, kept: Collection[ET.Element], classes: Classes) -> list[str]:
-    """Return what to say of classes without rules once all other styles are attributes."""
+    """Return what to say of classes that were not read once all other styles are attributes."""
     if not classes:
         return []
     shapes = list(_shapes(root, {}, kept, classes))
@@ -62,12 +92,12 @@ def _shapes(
     """Yield what is said of each shape by property; a dot stands before what a class says."""
     said = dict(outer)
     own = classes.get(element, {})
-    for kind in _PAINTS:
+    for kind in _UNREAD:
         value = element.get(kind, "inherit")
-        if value != "inherit":
-            said[kind] = value
-        elif kind in own:
+        if kind in own and value in ("inherit", _SOME):
             said[kind] = f".{own[kind]}"
+        elif value != "inherit":
+            said[kind] = value
     if element.tag in (*SHAPES, *TEXTS) and element in kept:
         yield said
     for child in element:
@@ -79,19 +109,11 @@ def _amiss(said: Mapping[str, str]) -> str | None:
     fill, stroke = said.get("fill", ""), said.get("stroke", "none")
     if "any" in said and not fill and stroke == "none":
         return said["any"][1:]
-    if fill.startswith(".") and fill.endswith(_NONE):
-        return fill[1:]
-    if stroke.startswith(".") and not stroke.endswith(_NONE):
-        return stroke[1:]
-    width, opacity = said.get("stroke-width", ""), said.get("opacity", "")
-    if stroke != "none" and width.startswith("."):
-        return width[1:]
-    return opacity[1:] if opacity.startswith(".") else None
+    return stroke[1:] if stroke.startswith(".") else None
 
 
 def _unlike(shapes: Collection[Mapping[str, str]]) -> str | None:
     """Return a class that fills a shape otherwise than another is filled."""
-    fills = {said.get("fill", "") for said in shapes}
-    fills = {"" if one[1:] in _USUAL else one for one in fills if one != "none"}
+    fills = {said.get("fill", "") for said in shapes} - {"none"}
     names = sorted(one[1:] for one in fills if one.startswith("."))
     return names[0] if names and len(fills) > 1 else None

@@ -23,6 +23,7 @@ from iconstudio.algorithms.extremes import minimum_filter
 from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.halo import without_halo
 from iconstudio.algorithms.tones.layers import flattened, left_out
+from iconstudio.algorithms.tones.seams import without_seams
 from iconstudio.algorithms.tones.tone import Paints, near_white, paints, pictogram
 from iconstudio.algorithms.tracing.vectorize import trace
 from iconstudio.model import CANVAS, Frame, IconstudioError
@@ -82,6 +83,8 @@ class _Picture(NamedTuple):
     omissions: frozenset[Omission]
     thin: bool
     """Whether nearly all of its lines are too thin."""
+    mended: bool = False
+    """Whether it has no seams, as the drawing's shapes have."""
 
 
 def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ...]]:
@@ -149,7 +152,7 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
     is_page = drawing.page is not None and OFF_PAGE not in remarks
     page = box if is_page and frame.size > _SMALL * max(box[2:]) else around
     box = _common(box, around)
-    changed = bool(fonts) or drawing.heavy or Omission.FAINT in picture.omissions
+    changed = bool(fonts) or drawing.heavy or picture.mended or Omission.FAINT in picture.omissions
     own = None if changed else _own_shapes(content, box, frame, picture)
     if own is None:
         own, box = _traced(picture.coverage), (0.0, 0.0, float(CANVAS), float(CANVAS))
@@ -226,13 +229,15 @@ def _picture(
     drawn = render_colours(svg, frame, size, fonts)
     bare = without_halo(drawn)
     drawn = drawn if bare is None else bare
-    colours = flattened(drawn)
+    flat = flattened(drawn)
+    colours = without_seams(flat)
     coverage, omissions = pictogram(colours)
     if bare is not None:
         omissions |= {Omission.GLOW}
-    if left_out(drawn, colours, coverage):
+    if left_out(drawn, flat, coverage):
         omissions |= {Omission.DECORATION}
-    return _Picture(colours, coverage, omissions, _is_thin(coverage))
+    mended = colours is not flat
+    return _Picture(colours, coverage, omissions, _is_thin(coverage), mended)
 
 
 def _is_thin(coverage: NDArray[np.uint8]) -> bool:

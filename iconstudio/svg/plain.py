@@ -9,7 +9,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from iconstudio.svg import attribution, classes, references, shadows, sprites, templates
+from iconstudio.svg import attribution, classes, figma, references, shadows, sprites, templates
 from iconstudio.svg.animation import as_one, finish
 from iconstudio.svg.bitmaps import Shown, is_page, put_back, shown, stand_for
 from iconstudio.svg.bounds import bounds
@@ -122,7 +122,8 @@ def plain(
     remarks = [*remarks, *finish(root, midway)]
     if any(True for _ in root.iter("script")):
         remarks.append("A script was not run.")
-    painting = classes.painting(root)
+    remarks += figma.without_web_pages(root)
+    unread = classes.read(root)
     remarks += apply_styles(root, midway)
     remarks += embed(root)
     addresses = stand_for(root) if with_bitmaps else []
@@ -147,7 +148,7 @@ def plain(
     remarks += outside if kept else []
     remarks += [sentence for element, sentence in missing if element in kept]
     if SHEET_ELSEWHERE not in remarks:
-        remarks += classes.missed(root, kept, painting)
+        remarks += classes.missed(root, kept, unread)
     without = shadows.leave_out(kept)
     if without:
         remarks += without

@@ -3,19 +3,58 @@
 import pytest
 
 from iconstudio.svg.reading import own_svg
-from tests.svg.pictures import BODY, WINDOW, read, svg
+from tests.svg.pictures import BODY, WINDOW, ink, overlap, read, svg
 
 HOUSE, PANE = f'<path{{}} d="{BODY}"/>', f'<path{{}} d="{WINDOW}"/>'
 LINES = 'fill="none" stroke="currentColor" stroke-width="2"'
+READ = {
+    "fill-none stroke-current stroke-2": 'fill="none" stroke="#000" stroke-width="2"',
+    "fill-transparent stroke-black stroke-[1.5px]": 'fill="none" stroke="#000" stroke-width="1.5"',
+    "stroke-[#00f] stroke-[3] fill-none": 'fill="none" stroke="#00f" stroke-width="3"',
+    "stroke-none fill-current": "",
+}
 MISSED = {
-    "fill-none": ' class="h-6 w-6 fill-none"',
-    "stroke-current": ' class="h-6 stroke-current"',
     "stroke-red-500": ' class="stroke-red-500"',
-    "stroke-2": ' class="size-6 stroke-2" fill="none" stroke="currentColor"',
-    "stroke-[1.5]": ' class="stroke-[1.5]" stroke="#000"',
+    "stroke-primary": ' class="fill-none stroke-primary stroke-2"',
     "cls-1": ' class="cls-1"',
     "st0": ' class="st0"',
 }
+
+
+@pytest.mark.parametrize("names", READ)
+def test_plain_classes_are_read(names):
+    right = ink(svg(HOUSE.format(""), f'viewBox="0 0 24 24" {READ[names]}'))
+    for document in (
+        svg(HOUSE.format(f' class="h-6 {names}"')),
+        svg(HOUSE.format(""), f'viewBox="0 0 24 24" class="{names}"'),
+    ):
+        assert read(document).remarks == ()
+        assert overlap(ink(document), right) > 0.99
+
+
+def test_a_white_pane_is_paper():
+    body = HOUSE.format(' class="{}"') + PANE.format(' class="fill-white"')
+    for house in ("fill-current", "fill-black"):
+        document = svg(body.format(house))
+        assert read(document).remarks == ()
+        assert not ink(document)[154, 128]
+
+
+@pytest.mark.parametrize(
+    "stronger",
+    ['<style>path{fill:#000}</style><path{} class="fill-none" d="BODY"/>',
+     '<path fill="#000" class="fill-none" d="BODY"/>',
+     '<path style="fill:#000" class="fill-none" d="BODY"/>'],
+)  # fmt: skip
+def test_what_the_document_says_itself_is_stronger(stronger):
+    document = svg(stronger.replace("BODY", BODY).replace("{}", ""))
+    assert overlap(ink(document), ink(svg(HOUSE.format("")))) > 0.99
+
+
+def test_a_line_of_a_colour_that_is_not_known_is_drawn():
+    document = svg(HOUSE.format(MISSED["stroke-primary"]))
+    right = svg(HOUSE.format(' fill="none" stroke="#000" stroke-width="2"'))
+    assert overlap(ink(document), ink(right)) > 0.99
 
 
 @pytest.mark.parametrize("name", MISSED)
@@ -30,23 +69,27 @@ def test_a_class_that_nothing_else_stands_for_is_told(name):
 
 @pytest.mark.parametrize(
     ("one", "other"),
-    [("fill-red-500", "fill-[#00f]"), ("fill-primary", ""), ("fill-current", "fill-white")],
+    [("fill-red-500", "fill-[#00f]"), ("fill-primary", ""), ("fill-current", "fill-red-500")],
 )
 def test_fills_that_differ_are_told(one, other):
     body = HOUSE.format(f' class="{one}"') + PANE.format(f' class="{other}"')
     assert "no rules" in read(svg(body)).remarks[0]
 
 
-def test_the_faint_ring_of_a_spinner_is_told():
+def test_the_faint_ring_of_a_spinner_is_read():
     spinner = (
-        f'<circle class="opacity-25" cx="12" cy="12" r="10" {LINES}/>'
-        '<path class="opacity-75" fill="currentColor" d="M4 12a8 8 0 018-8V0C5.4 0 0 5.4 0 12z"/>'
+        f'<circle {{}} cx="12" cy="12" r="10" {LINES}/>'
+        '<path fill="currentColor" d="M4 12a8 8 0 018-8V0C5.4 0 0 5.4 0 12z"/>'
     )
-    assert "“opacity-25”" in read(svg(spinner)).remarks[0]
+    one, other = (svg(spinner.format(f)) for f in ('class="opacity-25"', 'opacity=".25"'))
+    assert read(one).svg == read(other).svg
+    assert read(one).remarks == read(other).remarks
 
 
 def test_classes_of_code_are_told():
-    code = f'export default () => <svg className="fill-none stroke-2">{HOUSE.format("")}</svg>'
+    code = (
+        f'export default () => <svg className="fill-none stroke-primary">{HOUSE.format("")}</svg>'
+    )
     assert "no rules" in own_svg(code.encode(), "house.jsx").remarks[0]
 
 

@@ -33,6 +33,12 @@ def test_a_box_keeps_its_label(size, paper):
     assert abs(drawn(BOX.format(paper) + label) - drawn(BOX.format("none") + label)).max() < 64
 
 
+@pytest.mark.parametrize("paper", ["#ff9800", "#e53935", "#7986cb"])
+def test_a_box_of_a_darker_colour_keeps_its_black_label(paper):
+    label = TEXT.format(12)
+    assert abs(drawn(BOX.format(paper) + label) - drawn(BOX.format("none") + label)).max() < 64
+
+
 SHAPE = '<path d="M20 20h50v50h-50z" fill="#e33" {}/>'
 SHADOWS = {
     "primitive": '<feDropShadow dx="4" dy="4" stdDeviation="2"/>',

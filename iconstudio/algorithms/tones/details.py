@@ -1,8 +1,8 @@
 """Letters and thin lines: what is too fine for regions of even colour.
 
 Where the even colour around is pale, all that is much darker is drawn on it, and as much of a pixel
-is drawn as it is dark. Edges between even colours are no darker than these are. On ink, the same is
-true of what is light on a dark ground.
+is drawn as it is dark; what is black is drawn on darker grounds, too. Edges between even colours
+are no darker than these are. On ink, the same is true of what is light, or white, on a dark ground.
 """
 
 import numpy as np
@@ -13,6 +13,8 @@ from iconstudio.algorithms.tones.regions import Mask
 
 _PALE, _DARK = 190.0, 120.0
 """Grey levels of the darkest pale ground, and of the palest dark one."""
+_BLACK = 40.0
+"""Grey level of the palest black, which shows on any ground."""
 _APART = 60.0
 """By how many grey levels that which is drawn on it differs at least."""
 
@@ -62,8 +64,9 @@ def _drawn_on(
     size = 2 * reach + 1
     level = minimum_filter(np.where(ground, grey, np.inf), size)
     others = np.where(ground, np.inf, grey)
-    contrast = level - minimum_filter(others, size)
-    near = np.isfinite(level) & (level > darkest) & (contrast > _APART) & ~solid
+    darkest_other = minimum_filter(others, size)
+    told = (level > darkest) | (darkest_other < _BLACK)
+    near = np.isfinite(level) & told & (level - darkest_other > _APART) & ~solid
     # A line is as dark as it is, whatever is beside it.
     dark = minimum_filter(others, 5)[near]
     drawn = np.full(grey.shape, np.nan, np.float32)
