@@ -50,6 +50,6 @@ def _paint(said: str) -> dict[str, str]:
         whole = sum(weights)
         mean = [sum(w * one[c] for w, one in zip(weights, stops, strict=True)) for c in "rgb"]
         levels = [min(max(round(255 * value / whole), 0), 255) for value in mean]
-    except (ValueError, KeyError, TypeError, ZeroDivisionError, OverflowError):
+    except (ValueError, KeyError, TypeError, ArithmeticError, RecursionError):
         return {"fill": _UNKNOWN}
     return {"fill": "#{:02x}{:02x}{:02x}".format(*levels), "fill-opacity": f"{max(weights):.4g}"}

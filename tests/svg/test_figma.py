@@ -31,6 +31,7 @@ SHAPE = f'<path d="{BODY}" data-figma-gradient-fill="{{}}"/>'
         ("{&quot;type&quot;:&quot;GRADIENT_ANGULAR&quot;}", INSTEAD),
         ("{&quot;stops&quot;:[]}", INSTEAD),
         ("{...}", INSTEAD),
+        ("[" * 100_000, INSTEAD),
     ],
 )
 def test_an_angular_gradient_is_one_colour_and_told(said, beside):
