@@ -24,7 +24,7 @@ from iconstudio.building.selection import (
     wanted_sets,
 )
 from iconstudio.files import reason_of
-from iconstudio.inputs.together import counted
+from iconstudio.grammar import counted
 from iconstudio.library import archive
 from iconstudio.library.fingerprint import Fingerprint, stack, unlikeness
 from iconstudio.library.iconify import IconSet, RawIcon

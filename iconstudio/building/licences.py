@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
 
-from iconstudio.inputs.together import counted
+from iconstudio.grammar import counted
 from iconstudio.library.iconify import IconSet
 from iconstudio.model import IconstudioError
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import click
 
 from iconstudio.cli.progress import ProgressBar
-from iconstudio.inputs.together import counted
+from iconstudio.grammar import counted
 
 _FOLDER = click.Path(exists=True, file_okay=False, path_type=Path)
 

@@ -11,7 +11,7 @@ from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.running import tell
 from iconstudio.cli.timing import Stopwatch
 from iconstudio.cluster import Cluster
-from iconstudio.inputs.together import counted
+from iconstudio.grammar import counted
 from iconstudio.library.sets import is_folder, members
 from iconstudio.model import IconstudioError
 from iconstudio.output.folder import check_folder

@@ -10,7 +10,7 @@ import click
 
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import Stopwatch
-from iconstudio.inputs.together import counted
+from iconstudio.grammar import counted
 from iconstudio.model import CANVAS, IconstudioError, Pictogram, Remix
 from iconstudio.output.folder import check_folder
 from iconstudio.output.png import untidied

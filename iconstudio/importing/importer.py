@@ -5,9 +5,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Generic
 
+from iconstudio.grammar import was
 from iconstudio.importing.images import is_called_image, pictogram_in
 from iconstudio.inputs.items import Drawing, File, Image, Item, Reference
-from iconstudio.inputs.together import ReadTogether, Sprite, quoted_list, was
+from iconstudio.inputs.together import ReadTogether, Sprite, quoted_list
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.pages import Document, P

@@ -5,8 +5,9 @@ from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
+from iconstudio.grammar import counted
 from iconstudio.importing.importer import IconImporter, Opened
-from iconstudio.inputs.together import ReadTogether, counted, quoted_list
+from iconstudio.inputs.together import ReadTogether, quoted_list
 from iconstudio.model import Exemplar
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.hybrids import page as edits

@@ -3,8 +3,9 @@
 from collections.abc import Generator
 from pathlib import Path
 
+from iconstudio.grammar import counted
 from iconstudio.importing.importer import IconImporter, Opened
-from iconstudio.inputs.together import ReadTogether, counted, quoted_list
+from iconstudio.inputs.together import ReadTogether, quoted_list
 from iconstudio.model import IconstudioError, Pictogram, Remix
 from iconstudio.workflows.montage.file import read_montage
 from iconstudio.workflows.montage.montage import MOST

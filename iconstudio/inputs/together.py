@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from iconstudio.grammar import joined
 from iconstudio.inputs.items import Elsewhere, File, Item
 from iconstudio.model import IconstudioError, SpriteError
 
@@ -82,21 +83,6 @@ def quoted_list(things: Sequence[Item | str]) -> str:
     if len(names) > _NAMED + 1:
         names[_NAMED:] = [f"{len(names) - _NAMED} more"]
     return joined(names)
-
-
-def joined(words: Sequence[str]) -> str:
-    """Return some words, one at least, as a sentence has them: “a, b and c”."""
-    return " and ".join(filter(None, (", ".join(words[:-1]), words[-1])))
-
-
-def counted(count: int, noun: str) -> str:
-    """Return a number of things in words: “1 icon”, “12 icons”."""
-    return f"1 {noun}" if count == 1 else f"{count:,} {noun}s"
-
-
-def was(things: Sequence[object]) -> str:
-    """Return the verb that goes with the names of some things."""
-    return "was" if len(things) == 1 else "were"
 
 
 def _check(item: Item) -> None:

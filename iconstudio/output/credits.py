@@ -4,7 +4,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from iconstudio.inputs.together import counted
+from iconstudio.grammar import counted
 from iconstudio.model import Credit
 
 _SPECIAL = re.compile(r"([\\`*_\[\]<>#|])")

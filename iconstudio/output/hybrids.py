@@ -5,7 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from iconstudio.inputs.together import counted
+from iconstudio.grammar import counted
 from iconstudio.model import Axis, Remix
 from iconstudio.output import record
 from iconstudio.output.colours import palette

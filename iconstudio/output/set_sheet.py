@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from iconstudio.inputs.together import counted
+from iconstudio.grammar import counted
 from iconstudio.output.figure import MUTED, Figure
 from iconstudio.svg.rasterise import page_frame
 from iconstudio.svg.resvg import render_coverage

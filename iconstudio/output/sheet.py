@@ -11,7 +11,7 @@ from PIL import Image
 
 from iconstudio.algorithms.raster import placed_ink
 from iconstudio.files import write_bytes
-from iconstudio.inputs.together import counted
+from iconstudio.grammar import counted
 from iconstudio.model import CANVAS, Composite, Exemplar, Polygon, Remix, Source
 from iconstudio.output import png
 from iconstudio.output.colours import SIGNIFICANT, Palette, colour_code, key_of, palette

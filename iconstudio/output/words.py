@@ -2,7 +2,7 @@
 
 import math
 
-from iconstudio.inputs.together import counted
+from iconstudio.grammar import counted
 from iconstudio.model import Credit, Icon, Patterned, Placement, Remix
 
 

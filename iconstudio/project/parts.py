@@ -8,11 +8,12 @@ from functools import lru_cache
 from pathlib import Path as FilePath
 from typing import Any, Protocol, cast
 
+from iconstudio.grammar import was
 from iconstudio.images.photo import photo_of
 from iconstudio.images.reading import Image
 from iconstudio.inputs import json
 from iconstudio.inputs.formats import Many, Reference, Text, plain_text
-from iconstudio.inputs.together import quoted_list, was
+from iconstudio.inputs.together import quoted_list
 from iconstudio.model import Exemplar, Icon, IconstudioError, Photo, Pictogram
 from iconstudio.model.pictogram import OWN, UNCOLLECTED
 from iconstudio.project import results

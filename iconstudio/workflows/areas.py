@@ -6,8 +6,8 @@ from enum import Enum
 from typing import Any, Protocol, Self, cast
 
 from iconstudio.algorithms.geometry import crosses_itself
+from iconstudio.grammar import joined
 from iconstudio.inputs.formats import Points, Record
-from iconstudio.inputs.together import joined
 from iconstudio.model import Inner, Point, Polygon
 from iconstudio.workflows.outline import Outline
 from iconstudio.workflows.pages import Document, Page

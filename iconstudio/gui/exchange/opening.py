@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtCore import QMimeData, QObject, Signal
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
+from iconstudio.grammar import was
 from iconstudio.gui.exchange import mime
 from iconstudio.gui.exchange.patience import Patience
 from iconstudio.gui.exchange.scanning import ScanDialog
@@ -15,7 +16,7 @@ from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Job, Worker
 from iconstudio.importing.importer import Importer, Opened
 from iconstudio.inputs.items import Elsewhere, File, Item
-from iconstudio.inputs.together import ReadTogether, Sprite, quoted_list, read_together, was
+from iconstudio.inputs.together import ReadTogether, Sprite, quoted_list, read_together
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.project.archive import SUFFIX
 

@@ -9,9 +9,9 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from iconstudio.files import write_bytes
+from iconstudio.grammar import counted
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.pictures.picture import Picture
-from iconstudio.inputs.together import counted
 from iconstudio.model import Icon, IconstudioError, Patterned
 from iconstudio.output import export
 from iconstudio.output.filenames import file_name, free_path, suffixed

@@ -6,10 +6,10 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
+from iconstudio.grammar import counted
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.layout import column, label
 from iconstudio.gui.theme.theme import UNIT
-from iconstudio.inputs.together import counted
 
 HINTS = {
     "lightest": "thin lines",

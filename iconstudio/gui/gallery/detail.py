@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from iconstudio.grammar import counted
 from iconstudio.gui.gallery.display import DisplaySwitch
 from iconstudio.gui.gallery.large import LargePicture
 from iconstudio.gui.gallery.sending import Destination, offer, offer_to_open
@@ -26,7 +27,6 @@ from iconstudio.gui.theme.elided import ElidedLabel
 from iconstudio.gui.theme.layout import column, label, push_button, row, scrolled, with_role
 from iconstudio.gui.theme.painting import fill_rounded, smooth_painter
 from iconstudio.gui.theme.theme import UNIT
-from iconstudio.inputs.together import counted
 from iconstudio.model import Remix
 from iconstudio.output.words import described, thanks, told_of
 

@@ -4,11 +4,11 @@ from html import escape
 
 from PySide6.QtWidgets import QFrame, QPushButton, QWidget
 
+from iconstudio.grammar import counted
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.panels.wordfield import WordField
 from iconstudio.gui.theme.caption import Caption
 from iconstudio.gui.theme.layout import column, row
-from iconstudio.inputs.together import counted
 
 
 class IconSearch(QFrame):

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
+from iconstudio.grammar import counted
 from iconstudio.gui.document.document import Document
 from iconstudio.gui.gallery.browser import ResultsBrowser
 from iconstudio.gui.jobs.preparation import Preparation, Query
@@ -22,7 +23,6 @@ from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.grid_runner import FINE, LARGER, LIVE, GridRunner, Place
 from iconstudio.gui.workspaces.inner_pictures import INNER_PICTURES
 from iconstudio.gui.workspaces.symmetry import SymmetryDetection
-from iconstudio.inputs.together import counted
 from iconstudio.workflows import criteria as edits
 from iconstudio.workflows.criteria import CriteriaPage
 from iconstudio.workflows.events import Event, Remark

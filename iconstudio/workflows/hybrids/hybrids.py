@@ -20,7 +20,7 @@ from iconstudio.algorithms.iconification.guidance import (
 from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.ranking import Gallery
 from iconstudio.algorithms.iconification.symmetry import reflected
-from iconstudio.inputs.together import counted
+from iconstudio.grammar import counted
 from iconstudio.model import (
     CANVAS,
     Axis,

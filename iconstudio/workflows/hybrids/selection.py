@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.iconification.style import STYLES, blackness
 from iconstudio.algorithms.iconification.symmetry import likeness
 from iconstudio.algorithms.raster import solid
-from iconstudio.inputs.together import counted
+from iconstudio.grammar import counted
 from iconstudio.model import CANVAS, Axis, Exemplar, IconstudioError, Pictogram
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST

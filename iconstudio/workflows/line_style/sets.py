@@ -17,7 +17,7 @@ from time import perf_counter
 from typing import Any, Protocol
 
 from iconstudio.cluster import DisconnectedError
-from iconstudio.inputs.together import counted
+from iconstudio.grammar import counted
 from iconstudio.model import CANVAS, IconstudioError, LineStyle, Path, Pictogram, Transform
 from iconstudio.model.icon_set import Member
 from iconstudio.workers import Workers, loss

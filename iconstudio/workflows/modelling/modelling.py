@@ -19,7 +19,7 @@ from iconstudio.algorithms.iconification.style import Style
 from iconstudio.algorithms.iconification.symmetry import ROUGHLY, propose
 from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import fill_polygon
-from iconstudio.inputs.together import counted
+from iconstudio.grammar import counted
 from iconstudio.model import Axis, Composite, Sketch, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render

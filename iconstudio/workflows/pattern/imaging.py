@@ -16,7 +16,7 @@ from iconstudio.algorithms.patterns.periods import period
 from iconstudio.algorithms.patterns.separation import Layers, Separated, separated
 from iconstudio.algorithms.patterns.shapes import element_shapes
 from iconstudio.algorithms.patterns.thickening import thickened
-from iconstudio.inputs.together import joined
+from iconstudio.grammar import joined
 from iconstudio.model import (
     CANVAS,
     Correction,

@@ -17,6 +17,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from iconstudio.algorithms.iconification.guidance import mirror_image
+from iconstudio.grammar import counted
 from iconstudio.gui.canvas.tools.base import NUDGES
 from iconstudio.gui.exchange.dropping import DropTarget
 from iconstudio.gui.gallery.sheet_model import credited
@@ -25,7 +26,6 @@ from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.layout import tool_button, with_role
 from iconstudio.gui.theme.painting import smooth_painter
 from iconstudio.gui.theme.theme import UNIT
-from iconstudio.inputs.together import counted
 from iconstudio.model import CANVAS, Axis, Point
 from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.hybrids import pinned

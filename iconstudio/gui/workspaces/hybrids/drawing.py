@@ -5,13 +5,13 @@ from dataclasses import dataclass, replace
 from PySide6.QtCore import QObject, Signal
 
 from iconstudio.caches.kept import Kept
+from iconstudio.grammar import counted
 from iconstudio.gui.gallery.sheet_model import Rule
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.pictures.picture import Picture, pictured
 from iconstudio.gui.workspaces.hybrids.panels import SheetPanel
 from iconstudio.gui.workspaces.hybrids.sections import Section
-from iconstudio.inputs.together import counted
 from iconstudio.model import CANVAS, IconstudioError, Mix
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event

@@ -5,6 +5,7 @@ from pathlib import Path
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMenu, QWidget
 
+from iconstudio.grammar import counted
 from iconstudio.gui.exchange.opening import Opener
 from iconstudio.gui.gallery import tidiness
 from iconstudio.gui.gallery.detail import DetailPanel
@@ -16,7 +17,7 @@ from iconstudio.gui.workspaces.hybrids.actions import ENTRIES
 from iconstudio.gui.workspaces.hybrids.drawing import CODED, Draws
 from iconstudio.gui.workspaces.hybrids.panels import IconsColumn, SheetPanel
 from iconstudio.importing.mixes import MixImporter
-from iconstudio.inputs.together import ReadTogether, counted
+from iconstudio.inputs.together import ReadTogether
 from iconstudio.model import Exemplar, IconstudioError, Pictogram
 from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.page import HybridsPage

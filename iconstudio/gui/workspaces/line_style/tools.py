@@ -7,11 +7,11 @@ from dataclasses import replace
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPen
 
+from iconstudio.grammar import counted
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
 from iconstudio.gui.theme.theme import Theme
 from iconstudio.gui.workspaces.line_style.scene import RestyleScene, outline, pen
-from iconstudio.inputs.together import counted
 from iconstudio.inputs.wide_points import FAR
 from iconstudio.model import Line, Point, Restyling
 from iconstudio.workflows.line_style import page as edits

@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
+from iconstudio.grammar import counted
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.exchange.opening import Opener
@@ -31,7 +32,6 @@ from iconstudio.gui.workspaces.made import Made
 from iconstudio.importing.restylings import STYLES, RestyleImporter
 from iconstudio.inputs.line_style import write_style
 from iconstudio.inputs.styles import bundled
-from iconstudio.inputs.together import counted
 from iconstudio.model import IconstudioError, Pictogram, StylePair
 from iconstudio.workflows.line_style import page as edits
 from iconstudio.workflows.line_style.page import OWN, RestylePage

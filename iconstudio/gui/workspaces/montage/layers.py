@@ -4,6 +4,7 @@ from PySide6.QtCore import QPoint, QRectF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPaintEvent
 from PySide6.QtWidgets import QFrame, QSplitter, QWidget
 
+from iconstudio.grammar import counted
 from iconstudio.gui.pictures.picture import tinted
 from iconstudio.gui.theme import icons, theme
 from iconstudio.gui.theme.elided import ElidedLabel
@@ -21,7 +22,6 @@ from iconstudio.gui.theme.layout import (
 from iconstudio.gui.theme.painting import fill_rounded, smooth_painter
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.montage.appearance import color_of
-from iconstudio.inputs.together import counted
 from iconstudio.workflows.montage import edits
 from iconstudio.workflows.montage.page import MontageDocument, MontagePage, PlacedIcon, choose
 

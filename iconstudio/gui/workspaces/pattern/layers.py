@@ -6,6 +6,7 @@ from PySide6.QtCore import QObject, QRectF, Qt, Signal
 from PySide6.QtGui import QPaintEvent
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QFrame, QGridLayout, QSpinBox, QWidget
 
+from iconstudio.grammar import counted
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.slider import IconSlider
@@ -15,7 +16,6 @@ from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.montage.tools.scribble import THINNEST, WIDEST, Brush
 from iconstudio.gui.workspaces.pattern.colour import Swatch, paint_colour
 from iconstudio.gui.workspaces.pattern.scene import tint
-from iconstudio.inputs.together import counted
 from iconstudio.model import Separation
 from iconstudio.session import Session
 from iconstudio.workflows.pattern import page as edits

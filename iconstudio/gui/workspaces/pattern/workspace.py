@@ -6,6 +6,7 @@ from collections.abc import Callable
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
+from iconstudio.grammar import counted
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.exchange.opening import Opener
@@ -28,7 +29,6 @@ from iconstudio.gui.workspaces.pattern.seeds import SeedsPanel
 from iconstudio.gui.workspaces.pattern.tools import ArrangeTool
 from iconstudio.importing.patterns import IMAGES, PatternImporter
 from iconstudio.inputs.items import File
-from iconstudio.inputs.together import counted
 from iconstudio.model import IconstudioError, Patterning, Pictogram, Separation
 from iconstudio.model.patterning import GROUND, INK
 from iconstudio.workflows.pattern import page as edits

@@ -9,6 +9,7 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
+from iconstudio.grammar import counted
 from iconstudio.gui.exchange.opening import Opener
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.display import DisplaySwitch
@@ -22,7 +23,6 @@ from iconstudio.gui.workspaces.actions import Entry, work_entries
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.plain.icons import WorkIcons
 from iconstudio.importing.works import WorkImporter
-from iconstudio.inputs.together import counted
 from iconstudio.model import Pictogram
 from iconstudio.workflows.plain import WorkPage
 
