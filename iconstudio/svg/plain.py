@@ -8,6 +8,7 @@ import math
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from iconstudio.svg import attribution, classes, figma, references, shadows, sprites, templates
 from iconstudio.svg.animation import as_one, finish
@@ -118,18 +119,80 @@ def plain(
         If nothing is called ``symbol``, or it is not safe to draw.
     """
     marked = root.attrib.pop(ATTRIBUTE, None) is not None
+    said, unread = _apply(root, midway)
+    remarks = [*remarks, *said]
+    addresses = stand_for(root) if with_bitmaps else []
+    drawn = _drawn(root, symbol)
+    ids, page, kept = drawn.ids, drawn.page, drawn.elements
+    remarks += drawn.remarks
+    if SHEET_ELSEWHERE not in remarks:
+        remarks += classes.missed(root, kept, unread)
+    if without := shadows.leave_out(kept):
+        remarks += without
+        kept = references.drawn(root, ids)
+    remarks += leave_out_distortions(kept)
+    bound_octaves(kept)
+    remarks += cut_off_mistakes(kept)
+    bitmaps = shown(root, ids) if any(one.tag == "image" for one in kept) else []
+    remarks += _without_unknown(root, kept)
+    said, author = attribution.leave_out(root, kept)
+    remarks += said
+    texts = tuple(_texts(kept))
+    references.prune(root, kept)
+    # Before anything follows its references.
+    check(ET.tostring(root, encoding="unicode"), MAX_DEPTH)
+    refuse_scribbles(kept)
+    remarks += _measure(root, page, ids)
+    is_bitmap = bool(bitmaps) and is_page(root, page, ids)
+    content = _content(root, drawn.stretch)
+    box = None if is_bitmap else bounds(content, page or (0, 0, 100, 100), ids, painted=True)
+    put_back(content, addresses)
+    return Plain(
+        content,
+        page,
+        box,
+        texts,
+        _is_heavy(kept),
+        tuple(as_one(remarks)),
+        marked,
+        tuple(bitmaps),
+        author,
+    )
+
+
+def _apply(root: ET.Element, midway: bool) -> tuple[list[str], classes.Classes]:
+    """Make attributes of what a document says of itself by other means, in place.
+
+    Returns
+    -------
+    What to say of it, and the classes that were not read.
+    """
     references.unquote_targets(root)
-    remarks = [*remarks, *finish(root, midway)]
+    remarks = list(finish(root, midway))
     if any(True for _ in root.iter("script")):
         remarks.append("A script was not run.")
     remarks += figma.without_web_pages(root)
     unread = classes.read(root)
-    remarks += apply_styles(root, midway)
-    remarks += embed(root)
-    addresses = stand_for(root) if with_bitmaps else []
+    return [*remarks, *apply_styles(root, midway), *embed(root)], unread
+
+
+class _Drawn(NamedTuple):
+    """What of a document is drawn."""
+
+    elements: set[ET.Element]
+    ids: dict[str, ET.Element]
+    page: Box | None
+    stretch: Matrix
+    """By what all is stretched on the page."""
+    remarks: list[str]
+
+
+def _drawn(root: ET.Element, symbol: str | None) -> _Drawn:
+    """Resolve references and return what is drawn: all, or the symbol that is wanted."""
     root.attrib.pop("display", None)  # of a sprite within a page
     sprites.turn_glyphs_into_symbols(root)
     symbols = sprites.symbols(root)
+    remarks = []
     if symbol is None and (symbol := templates.usual(root)):
         remarks.append(templates.CHOSEN.format(symbol))
     if symbol is not None:
@@ -147,40 +210,13 @@ def plain(
             kept = references.drawn(root, ids)
     remarks += outside if kept else []
     remarks += [sentence for element, sentence in missing if element in kept]
-    if SHEET_ELSEWHERE not in remarks:
-        remarks += classes.missed(root, kept, unread)
-    without = shadows.leave_out(kept)
-    if without:
-        remarks += without
-        kept = references.drawn(root, ids)
-    remarks += leave_out_distortions(kept)
-    bound_octaves(kept)
-    remarks += cut_off_mistakes(kept)
-    bitmaps = shown(root, ids) if any(one.tag == "image" for one in kept) else []
-    remarks += _without_unknown(root, kept)
-    said, author = attribution.leave_out(root, kept)
-    remarks += said
-    texts = tuple(_texts(kept))
-    references.prune(root, kept)
-    # Before anything follows its references.
-    check(ET.tostring(root, encoding="unicode"), MAX_DEPTH)
-    refuse_scribbles(kept)
-    remarks += _measure(root, page, ids)
-    is_bitmap = bool(bitmaps) and is_page(root, page, ids)
-    content = _content(root, stretch)
-    box = None if is_bitmap else bounds(content, page or (0, 0, 100, 100), ids, painted=True)
-    put_back(content, addresses)
-    return Plain(
-        content,
-        page,
-        box,
-        texts,
-        any(one.tag in ("filter", "pattern") or "blur" in one.get("filter", "") for one in kept)
-        or sum(one.tag in ("mask", "clipPath") for one in kept) > _MANY,
-        tuple(as_one(remarks)),
-        marked,
-        tuple(bitmaps),
-        author,
+    return _Drawn(kept, ids, page, stretch, remarks)
+
+
+def _is_heavy(kept: set[ET.Element]) -> bool:
+    masks = sum(one.tag in ("mask", "clipPath") for one in kept)
+    return masks > _MANY or any(
+        one.tag in ("filter", "pattern") or "blur" in one.get("filter", "") for one in kept
     )
 
 
