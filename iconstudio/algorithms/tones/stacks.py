@@ -1,9 +1,11 @@
 """Regions that are ink as their neighbours are, though these are ink on both sides of them.
 
-1. The middle stripe of a flag in three colours, and what lies in the midst of a mosaic.
+1. The middle stripe of a flag in three colours, and what lies in the midst of a mosaic, where the
+   marks upon it, as the days of a calendar, do not count.
 2. A *layer*, as of a burger: thick, it reaches from one side of the drawing to the other, so that
    the drawing would fall apart without it, and what it parts differs in colour. But the bands of
    a rainbow, which are as thick as the first and the last, alternate.
+3. The *sectors* of a wheel, of which each has a colour of its own: so that none is missing.
 """
 
 import numpy as np
@@ -14,6 +16,8 @@ from iconstudio.algorithms.tones.tiles import SHARP, rectangularity
 
 _SEVERAL, _MOST_BESIDE = 4, 0.4
 """Neighbours that a piece of a mosaic has, and how much of its contour one of them has at most."""
+_UPON = 0.9
+"""How much of its contour a mark upon a piece shares with that."""
 _SQUARES = 4
 """Of either colour of a board, at least: a page with dots has one of paper."""
 _UNLIKE = 3.0
@@ -30,14 +34,17 @@ def stacked(found: Regions) -> Mask:
     """Return the regions (k + 1,) that are as those of other colours beside them."""
     outer = found.lengths[0] > 0
     outer[0] = False
+    sectors = _sectors(found, outer)
     if rectangularity(found) < SHARP:
-        return _layers(found, outer)
-    middle: Mask = np.zeros(outer.shape, bool)
+        return _layers(found, outer) | sectors
+    middle: Mask = sectors
     for number in np.flatnonzero(outer):
         beside = np.flatnonzero(outer & (found.lengths[number] > 0))
-        middle[number] = len(beside) == 2 and not _are_alike(found, *beside)
-    several = (found.lengths > 0).sum(axis=1) >= _SEVERAL
-    middle |= several & (found.lengths.max(axis=1) < _MOST_BESIDE * found.around) & ~outer
+        middle[number] |= len(beside) == 2 and not _are_alike(found, *beside)
+    upon_it = found.lengths > _UPON * found.around
+    beside_it = np.where(upon_it, 0, found.lengths)
+    several = (beside_it > 0).sum(axis=1) >= _SEVERAL
+    middle |= several & (beside_it.max(axis=1) < _MOST_BESIDE * beside_it.sum(axis=1)) & ~outer
     middle[0] = False
     return middle
 
@@ -77,6 +84,20 @@ def _layers(found: Regions, outer: Mask) -> Mask:
         thickest = [found.widths[piece == piece[one]].max() for one in (first, second)]
         thinner[number] = min(thickest) > _THICKER * found.widths[number]
     return layers if layers.sum() <= _FEW else layers & thinner
+
+
+def _sectors(found: Regions, outer: Mask) -> Mask:
+    """Return the regions (k + 1,) at the outside that meet two others each, all around."""
+    meet = (found.lengths > _THICK) & outer & outer[:, None]  # more than at the hub
+    _, ring = scipy.sparse.csgraph.connected_components(meet)
+    sectors = outer.copy()
+    for number in np.unique(ring[outer]):
+        of_ring = ring == number
+        colours = found.colours[of_ring]
+        apart = np.linalg.norm(colours[:, None] - colours, axis=2) + ALIKE * np.eye(len(colours))
+        closed = len(colours) > 2 and (meet[of_ring].sum(axis=1) == 2).all()
+        sectors[of_ring] = closed and (apart >= ALIKE).all()
+    return sectors
 
 
 def _are_alike(found: Regions, one: int, other: int) -> bool:

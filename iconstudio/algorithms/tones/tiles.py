@@ -1,8 +1,18 @@
-"""Tiles: the rounded squares, pages and banners that icons are put on."""
+"""Tiles: the rounded squares, pages and banners that icons are put on.
+
+A drawing stands free in its tile. What it holds tells the body of a thing from a tile:
+
+1. a *frame*, as of a calendar or a window: what is in it is convex, and runs along much of its
+   contour, with no more than a line between; a header on one side may be wider;
+2. a *body with parts*, as of a floppy disk or a camera: several convex shapes lie in it, one of
+   which holds another, along its sides, as labels do, or in colours of their own, as lenses do;
+3. a *cut corner*, as of a floppy disk or a note.
+"""
 
 import numpy as np
 import scipy
 
+from iconstudio.algorithms.tones.linework import THICK
 from iconstudio.algorithms.tones.regions import ALIKE, GREY, PALE, Mask, Regions, hull, pale
 
 SHARP, _ROUNDED, _ROUND = 0.985, 0.9, 0.76
@@ -15,6 +25,12 @@ _COLOURED = 30.0
 """Chroma of what is plainly coloured."""
 _CONVEX = 0.95
 """How much of its convex hull a bare sign fills, such as a triangle or a disc."""
+_ALONG, _LABELS = 0.5, 0.3
+"""How much of a frame's contour runs along what is in it, and that of a body along its labels."""
+_PARTS = 0.3
+"""How much of a body its parts make, at least; the nodes of a diagram make less."""
+_CUT = 0.002
+"""How much of the bounding box a cut corner is at least."""
 _GLOSS = 0.6
 """How much a gloss on a tile differs from it, at most, as part of what the drawing does."""
 
@@ -63,7 +79,39 @@ def _is_tile(found: Regions, number: int) -> bool:
         return False
     if white[number] or page:
         return True
+    if _has_cut_corner(found) or _is_body_with_parts(found, number, content):
+        return False
     return not _is_bare_sign(found, content) and not _is_body(found, number)
+
+
+def _has_cut_corner(found: Regions) -> bool:
+    """Whether one corner of the silhouette's bounding box is emptier than all others."""
+    inside = found.labels > 0
+    box = inside[scipy.ndimage.find_objects(inside.astype(np.int8))[0]]
+    halves = np.array_split(~box, 2, axis=0)
+    *_, second, first = sorted(
+        corner.sum() for half in halves for corner in np.array_split(half, 2, axis=1)
+    )
+    return bool(first - second > _CUT * box.size)
+
+
+def _is_body_with_parts(found: Regions, number: int, content: Mask) -> bool:
+    """Whether a tile is a frame around what is on it, or a body of which that is the parts."""
+    pieces, count = scipy.ndimage.label(content)
+    told = ~_alike(found, number)[found.labels]
+    holds = coloured = False
+    for of_piece, window in enumerate(scipy.ndimage.find_objects(pieces), 1):
+        piece = pieces[window] == of_piece
+        if piece.sum() <= _CONVEX * hull(piece).sum():
+            return False
+        holds |= np.ptp(found.labels[window][piece]) > 0
+        coloured |= len(np.unique(found.labels[window][piece & told[window]])) > 1
+    inside = found.labels > 0
+    contour = inside & ~scipy.ndimage.binary_erosion(inside)
+    away = scipy.ndimage.distance_transform_edt(~content)[contour]
+    along = float((away < THICK).mean())
+    several = count > 1 and holds and content.sum() > _PARTS * inside.sum()
+    return along > _ALONG or (several and (coloured or along > _LABELS))
 
 
 def _is_bare_sign(found: Regions, content: Mask) -> bool:

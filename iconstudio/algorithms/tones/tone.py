@@ -15,12 +15,12 @@ into regions of even colour (``regions``). Of these,
 4. *near white* on other colours is paper, unless it is all around;
 5. of the others, what mainly borders on the outside is ink; what mainly borders on ink is paper
    (eyes in a face, the door of a house), and what mainly borders on paper is ink; but thick layers
-   of different colours, as of a burger or a flag, and the midst of a mosaic, are ink as what is
-   beside them (``stacks``); of a board in two colours, the darker squares are ink;
-6. between two regions of ink runs a line of paper; between two of paper that differ strongly, in
-   tone or in colour, one of ink. Where paper is a part of the silhouette, a line of ink runs along
-   the contour (a cloud before the sun, a flag's white half), unless it is narrow, or pure white
-   that takes a bite out of a colour (a crescent, ``whites``);
+   of different colours, as of a burger or a flag, the midst of a mosaic and sectors of a wheel are
+   ink as what is beside them (``stacks``); of a board in two colours, the darker squares are ink;
+6. between two regions of ink runs a line of paper, unless both are lines, and cross (``crossing``);
+   between two of paper that differ strongly, one of ink. Where paper is a part of the silhouette, a
+   line of ink runs along the contour (a cloud before the sun, a flag's white half), unless it is
+   narrow, or pure white that takes a bite out of a colour (a crescent, ``whites``);
 7. colours that differ little are shades of one, but a figure on its ground is told from it if
    there is nothing else (``shades``);
 8. the flat shadow that a figure casts aslant on its tile or badge is a part of that (``cast``);
@@ -43,6 +43,7 @@ from iconstudio.algorithms.extremes import maximum_filter
 from iconstudio.algorithms.tones import details, regions
 from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
 from iconstudio.algorithms.tones.cast import without_cast_shadow
+from iconstudio.algorithms.tones.crossing import crossing
 from iconstudio.algorithms.tones.duotone import dark_is_ink, separated, two_tones
 from iconstudio.algorithms.tones.glow import without_glow
 from iconstudio.algorithms.tones.layers import without_faint
@@ -194,8 +195,7 @@ def paints(rgba: NDArray[np.uint8], coverage: NDArray[np.uint8]) -> Paints | Non
     does but for specks; if there is no such way, the pictogram is to be traced.
     """
     rgb, alpha = _reduced(rgba)
-    visible = alpha > _body(alpha) / 2
-    white = near_white(rgb)
+    visible, white = alpha > _body(alpha) / 2, near_white(rgb)
     ink = _averaged(coverage[..., None].astype(np.float32))[..., 0] > 127.5
     for choice, painted in (
         (Paints.ALL, visible),
@@ -292,7 +292,7 @@ def _tones(found: Regions) -> Tones:
     apart = shapes & shapes[:, None] & found.striking
     return Tones(
         ink,
-        (ink & ink[:, None] & (found.lengths > 0) & ~narrow) | apart,
+        (ink & ink[:, None] & (found.lengths > 0) & ~narrow & ~crossing(found)) | apart,
         np.zeros_like(ink),
         outlined,
         frozenset(what for what, some in omissions.items() if some.any()),
