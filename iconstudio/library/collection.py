@@ -40,6 +40,7 @@ _PART = 500
 """Icons that are asked for at a time: a question has room for so many."""
 _DAMAGED = "The unpacked icon collection is damaged, and unpacked anew: %s"
 _LOOK_UP = " Search for what it shows instead, with a word such as 'dog'."
+_ONCE = " Of icons that look alike it has one."
 _FEW = 20
 """With fewer drawings, a keyword lends no parts to choose from."""
 _ANY = Style()
@@ -243,9 +244,11 @@ class Collection:
         numbers = self._numbers([identifier]) or self._numbers(spelt)
         if not numbers:
             meant = spelt[0] if spelt else identifier
+            near = self._near(meant)
+            once = _ONCE if near and meant.partition(":")[0] in self.sets else ""
             raise IconstudioError(
-                f"The collection has no icon '{messages.shortened(meant)}'."
-                f"{messages.hint(self._near(meant)) or _LOOK_UP}"
+                f"The collection has no icon '{messages.shortened(meant)}'.{once}"
+                f"{messages.hint(near) or _LOOK_UP}"
             )
         return self._pictograms(numbers[:1])[0]
 

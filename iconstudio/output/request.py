@@ -12,7 +12,7 @@ from iconstudio.algorithms.iconification.guide import (
     guide_of,
 )
 from iconstudio.algorithms.raster import Bitmap, fill_polygon
-from iconstudio.model import CANVAS, Axis, Sketch, Stroke
+from iconstudio.model import CANVAS, Axis, Edit, Sketch, Stroke
 from iconstudio.output.figure import INK, MUTED, RGB
 from iconstudio.workflows.editing.editing import PlacedEdit
 
@@ -64,6 +64,11 @@ def sketch_request(sketch: Sketch, side: int = CANVAS) -> Request:
     )
 
 
+def _caption(edit: Edit) -> str:
+    colours = ("less red", edit.remove), ("plus green", edit.add)
+    return ", ".join((edit.icon.name, *(words for words, areas in colours if areas)))
+
+
 def edit_request(change: PlacedEdit) -> Request:
     """Return the request of an edit: red goes, green comes."""
     layers = (
@@ -76,7 +81,7 @@ def edit_request(change: PlacedEdit) -> Request:
     return Request(
         change.edit.keyword,
         change.edit.symmetry,
-        f"{change.icon.name}, less red, plus green",
+        _caption(change.edit),
         layers,
         change.silhouette,
         change,

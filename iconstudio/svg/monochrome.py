@@ -67,7 +67,7 @@ OFF_PAGE = "It lies outside of its page; all of it was taken."
 SOME_THIN = (
     "Some of its lines are too thin to be seen at the size of an icon; they were drawn thicker."
 )
-FONTS = "Its text was drawn in Inter, whatever its font. To keep its look, turn text into shapes."
+FONTS = "Text was drawn in Inter, whatever its font. To keep its look, turn text into shapes."
 UNKNOWN = "The font Inter has no “{}”, which was left out. Turn text into shapes."
 
 

@@ -8,7 +8,7 @@ from iconstudio.algorithms.iconification.overhang import seen
 from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import CANVAS, IconstudioError, Layer, Montage, Placement, Stroke
 from iconstudio.svg.placed import render_placed
-from iconstudio.workflows.events import Progress
+from iconstudio.workflows.events import Progress, Remark
 from iconstudio.workflows.montage.montage import montage_icons
 from tests.shapes import exemplar, icons
 
@@ -150,3 +150,21 @@ def test_all_that_is_marked_past_the_frame_is_drawn(dx, dy, workers):
     shown = seen(own, one.drawing.frame, 512, False)
     assert (drawn & shown).sum() >= 0.99 * shown.sum()
     assert not drawn[[0, -1]].any() and not drawn[:, [0, -1]].any()
+
+
+BESIDE = (stroke((10, 10), (30, 10)),)
+
+
+def test_strokes_that_touch_nothing_of_their_icon_are_told(workers):
+    montage = two((stroke((128, 128)),), BESIDE)
+    events = list(montage_icons(montage, [DISC, RING], workers, render_placed))
+    sentence = "No stroke over “test:ring” touches it. Draw over what is to be kept of it."
+    assert [one.sentence for one in events if isinstance(one, Remark)] == [sentence]
+    montage = two((stroke((128, 128)),), (stroke((128, 60)),))
+    events = list(montage_icons(montage, [DISC, RING], workers, render_placed))
+    assert not [one for one in events if isinstance(one, Remark)]
+
+
+def test_a_montage_of_which_no_ink_is_marked_is_refused(workers):
+    with pytest.raises(IconstudioError, match="No stroke touches ink"):
+        list(montage_icons(two(BESIDE, ()), [DISC, RING], workers, render_placed))

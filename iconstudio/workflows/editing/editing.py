@@ -54,6 +54,7 @@ from iconstudio.workflows.editing.additions import doubts, judged, with_missed
 from iconstudio.workflows.editing.emptying import Emptied, begin_emptying
 from iconstudio.workflows.editing.fitting import fitted
 from iconstudio.workflows.editing.lookalikes import lookalikes
+from iconstudio.workflows.editing.opened import OPENED, is_opened
 from iconstudio.workflows.events import Event, Remark
 from iconstudio.workflows.grid import GridSettings, GridTask, Matches, focused, remix_styles
 from iconstudio.workflows.remixing import RemixResources
@@ -277,6 +278,8 @@ def run(
     icon = resources.exemplar(edit.icon)
     change = place_edited(edit, icon, resources.workers, resources.render)
     yield from map(Remark, doubts(change.base.placement, change.enclosed))
+    if not edit.inner.lines and is_opened(change.ink, change.removed, change.added):
+        yield Remark(OPENED)
     settings = settings or GridSettings(styles=own_styles(icon))
     settings.chosen_styles()
     matcher = yield from resources.prepare(edit.keyword, edit.exclude, settings.scales)

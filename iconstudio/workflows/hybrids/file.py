@@ -73,8 +73,9 @@ class HybridsFile(File[Mix], frozen=True):
     def check(self) -> None:
         """Refuse what is neither given nor to be picked, or both."""
         if (self.icons is None) == (not self.word):
+            nor = "; not both" if self.word else ""
             raise IconstudioError(
-                'Give either "icons", a list, or a "keyword" to pick them by; not both.'
+                f'Give either "icons", a list, or a "keyword" to pick them by{nor}.'
             )
         if self.icons is not None and self.count is not None:
             raise IconstudioError('"count" goes with "keyword"; with "icons", all are mixed.')

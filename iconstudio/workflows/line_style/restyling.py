@@ -219,7 +219,9 @@ def signed(
 def _style_of(work: Restyling, number: int) -> LineStyle:
     style = work.style_of(number)
     if style is None:
-        raise IconstudioError("There is no style yet. Choose one, or draw an example.")
+        raise IconstudioError(
+            "There is no style yet. Choose one, by --style or in the file, or draw an example."
+        )
     return style
 
 

@@ -14,7 +14,7 @@ from iconstudio.model import Composite, Remix, Sketch
 from iconstudio.workflows.events import Event, Result
 from iconstudio.workflows.modelling.modelling import pose_sketch
 from iconstudio.workflows.montage.exchanging import exchanged
-from iconstudio.workflows.montage.montage import series_of
+from iconstudio.workflows.montage.montage import check, framed, series_of
 from iconstudio.workflows.montage.reproducing import strokes_over
 from iconstudio.workflows.parts import Part
 from iconstudio.workflows.pinning import PinnedPart, pinned_parts, with_pin
@@ -112,4 +112,6 @@ def _pinned(
 
 def _in_montage(resources: RemixResources, composite: Composite, choice: PinnedPart) -> CutSeries:
     montage = exchanged(composite, choice.pin)
-    return series_of(montage, (resources.exemplar(layer.icon) for layer in montage.layers))
+    check(montage)
+    exemplars = [resources.exemplar(layer.icon) for layer in montage.layers]
+    return series_of(framed(montage, exemplars), exemplars)

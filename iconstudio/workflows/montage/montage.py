@@ -29,7 +29,7 @@ from iconstudio.model import (
 )
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
-from iconstudio.workflows.events import Event
+from iconstudio.workflows.events import Event, Remark
 from iconstudio.workflows.remixing import CutSettings, Remixing, RemixResources
 from iconstudio.workflows.solving import CutSeries, Posed
 
@@ -59,28 +59,52 @@ def montage_icons(
 
     They are asked for once the montage is checked. If something marked lies past the canvas, all is
     moved, and made smaller if need be, so that it fits: the result's sources say where they lie.
-    Yields ``Progress``, then one ``Result``. ``side`` is m, the sites in a row of the graph cut.
+    Yields ``Remark``, ``Progress``, then one ``Result``. ``side`` is m, the sites in a row of the
+    graph cut.
     """
+    check(montage)
+    drawn = tuple(exemplars)
+    montage = framed(montage, drawn)
+    yield from map(Remark, _missed(montage, drawn))
     remixing = Remixing(workers, render, total=1)
     try:
-        remixing.start(series_of(montage, exemplars, side))
+        remixing.start(series_of(montage, drawn, side))
         while remixing.busy:
             yield from remixing.ready(wanted=True)
     finally:
         remixing.cancel()
 
 
-def series_of(montage: Montage, exemplars: Iterable[Exemplar], side: int = CANVAS) -> CutSeries:
-    """Return the problem of a montage: see ``montage_icons``."""
-    check(montage)
-    drawn = tuple(exemplars)
-    montage = framed(montage, drawn)
+def series_of(montage: Montage, exemplars: Sequence[Exemplar], side: int = CANVAS) -> CutSeries:
+    """Return the problem of a montage that is framed: see ``montage_icons``."""
     scribbles = _disjoint([scribble(layer.strokes, side) for layer in montage.layers])
     sources = tuple(
         Source(exemplar, layer.placement)
-        for exemplar, layer in zip(drawn, montage.layers, strict=True)
+        for exemplar, layer in zip(exemplars, montage.layers, strict=True)
     )
     return CutSeries("montage", sources, partial(_pose, sources, scribbles), (LAMBDA_S,))
+
+
+def _missed(montage: Montage, exemplars: Sequence[Exemplar]) -> Generator[str]:
+    """Say of which layers the strokes touch no ink.
+
+    Raises
+    ------
+    IconstudioError
+        If it is so of all.
+    """
+    missed = [
+        layer.icon.name
+        for layer, exemplar in zip(montage.layers, exemplars, strict=True)
+        if layer.strokes
+        and not (scribble(layer.strokes) & placed_ink(exemplar, layer.placement)[0]).any()
+    ]
+    if len(missed) == sum(bool(layer.strokes) for layer in montage.layers):
+        raise IconstudioError(
+            "No stroke touches ink. Scribble over the parts of the icons to keep."
+        )
+    for name in missed:
+        yield f"No stroke over “{name}” touches it. Draw over what is to be kept of it."
 
 
 def _pose(sources: Sequence[Source], scribbles: NDArray[np.bool_]) -> Posed:

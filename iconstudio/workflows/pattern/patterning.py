@@ -116,7 +116,7 @@ def check(work: Patterning) -> None:
         check_size(work.image.photo)
     elif not work.motifs:
         raise IconstudioError(
-            "There is no exemplar yet. Put icons on its canvas, or open an image."
+            "There is no exemplar yet. Put icons on its canvas (motifs), or open an image."
         )
 
 

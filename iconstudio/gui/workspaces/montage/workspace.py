@@ -22,6 +22,7 @@ from iconstudio.gui.workspaces.montage.tools import montage_tools
 from iconstudio.gui.workspaces.montage.tools.scribble import THINNEST, WIDEST, Brush
 from iconstudio.importing.montages import MontageImporter
 from iconstudio.model import Pictogram, Remix
+from iconstudio.workflows.events import Remark
 from iconstudio.workflows.montage.page import MontagePage
 
 DESCRIPTION = "Arrange icons, and scribble over their parts, here"
@@ -81,6 +82,8 @@ class MontageWorkspace(Workspace):
     def _show_result(self, event: object) -> None:
         if isinstance(event, Picture):
             self.look_at(event)
+        elif isinstance(event, Remark):
+            self.hinted.emit(event.sentence)
 
     # -- page ----------------------------------------------------------------------------------
 
