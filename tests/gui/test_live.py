@@ -392,6 +392,20 @@ def test_going_back_to_what_runs_lets_it_go_on(drawn, qtbot, session):
     assert len(runs(session)) == 2
 
 
+def test_results_of_a_run_that_a_misspelt_word_ends_are_pale(drawn, qtbot, session):
+    move(drawn)
+    qtbot.waitUntil(begun(session, 2))
+    drawn.keyword_panel.field.selectAll()
+    type_keyword(drawn, "zzebra")
+    qtbot.waitUntil(lambda: not drawn.runner.running)
+    assert all(drawn.browser.results.cell(*place)._stale for place in states(drawn))
+    drawn.keyword_panel.field.selectAll()
+    type_keyword(drawn, "motorcycle")
+    session.gate.release(100)
+    rest(drawn, qtbot, session)
+    assert not any(drawn.browser.results.cell(*place)._stale for place in states(drawn))
+
+
 def test_a_page_that_becomes_incomplete_stops_the_run_and_keeps_what_is_there(
     drawn, qtbot, session
 ):

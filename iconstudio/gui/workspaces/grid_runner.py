@@ -80,6 +80,8 @@ class GridRunner(QObject):
         self.larger = preferred(LARGER, False)
         """Whether icons are tried at larger scales, too."""
         self._ran: _Request | None = None
+        self._cut_short = False
+        """Whether the last run was, as the page became something that cannot run."""
         self._focus: Place | None = None
         self._by_hand = False
         self.live_runner.began.connect(self._begin)
@@ -101,7 +103,7 @@ class GridRunner(QObject):
     def stale(self) -> bool:
         """Whether the results are of something else than what is wanted."""
         if self._ran is None:
-            return False
+            return self._cut_short
         wanted = self._page.inputs(), self.fine, self.larger
         return (self._ran.inputs, self._ran.fine, self._ran.larger) != wanted
 
@@ -159,7 +161,7 @@ class GridRunner(QObject):
         elif self._preparation.ready and not problem:
             self.live_runner.request(self._request())
         elif self.running:  # out of date, though nothing can take its place
-            self._ran = None
+            self._ran, self._cut_short = None, True
             self.live_runner.cancel()
         else:
             self.live_runner.discard()
@@ -173,10 +175,12 @@ class GridRunner(QObject):
         """
         page, before = self._page.document.page, self._ran
         blank = page == type(page)()
-        if before is None or not (blank or page.elsewhere(before.page)):
+        if before is None and not self._cut_short:
+            return False
+        if not blank and (before is None or not page.elsewhere(before.page)):
             return False
         self.cancel()
-        self._ran = None
+        self._ran, self._cut_short = None, False
         return True
 
     def cancel(self) -> None:
@@ -204,6 +208,7 @@ class GridRunner(QObject):
 
     def _begin(self, request: _Request) -> None:
         self._ran, self._focus, self._by_hand = request, request.focus, False
+        self._cut_short = False
         self.began.emit(request.settings, request.afresh)
 
     def _show(self, event: object) -> None:
