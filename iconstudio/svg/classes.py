@@ -1,8 +1,8 @@
 """Classes that paint by rules which the file does not hold, as those of Tailwind do.
 
-The plainest are read: no paint, black, white, the current colour or one that is written out, widths
-and opacities. All that the document says itself is stronger. Colours of palettes and themes are not
-known: a line of such a colour is drawn, and told.
+The plainest are read: no paint, black, white, the current colour, one of Tailwind's palette or one
+that is written out, widths and opacities. All that the document says itself is stronger. Colours of
+themes are not known: what is of such a colour is drawn, and told.
 
 Most classes of icons say nothing of paint (“lucide lucide-home”), and many that do repeat what
 attributes say. Only what nothing else says, and what would show in black, is told.
@@ -14,6 +14,7 @@ from collections.abc import Collection, Iterator, Mapping
 
 from iconstudio.svg.geometry import SHAPES
 from iconstudio.svg.lettering import TEXTS
+from iconstudio.svg.tailwind import PALETTE, colour
 
 WITHOUT_RULES = (
     "Classes such as “{}” have no rules in the file: colours, widths of lines and opacities may be "
@@ -24,24 +25,25 @@ _NAMED = {
     "current": "currentColor", "black": "#000000", "white": "#ffffff", "none": "none",
     "transparent": "none",
 }  # fmt: skip
-_PAINT = rf"({'|'.join(_NAMED)}|\[#[^\]]*\])"
+_PAINT = rf"({'|'.join(_NAMED)}|\[#[^\]]*\]|{PALETTE})"
 _READ = {
     "fill": re.compile(rf"fill-{_PAINT}"),
     "stroke": re.compile(rf"stroke-{_PAINT}"),
-    "color": re.compile(r"text-(black|white|\[#[^\]]*\])"),
+    "color": re.compile(rf"text-(black|white|\[#[^\]]*\]|{PALETTE})"),
     "stroke-width": re.compile(r"stroke-(\d+(?:\.\d+)?|\[[\d.]+(?:px)?\])"),
     "opacity": re.compile(r"opacity-(\d{1,2})"),
 }
 """Classes of Tailwind that are read, by properties, and what they say."""
 _UNKNOWN = r"(?:[a-z]+-\d{2,3}(?:/\d+)?|primary|secondary|accent|muted|foreground|background)"
 _UNREAD = {
-    "fill": re.compile(f"fill-{_UNKNOWN}"),
-    "stroke": re.compile(f"stroke-{_UNKNOWN}"),
+    "fill": re.compile(f"fill-(?!{PALETTE}){_UNKNOWN}"),
+    "stroke": re.compile(f"stroke-(?!{PALETTE}){_UNKNOWN}"),
     "any": re.compile(r"(?:st|cls-|fil|str)\d+"),
 }
 """Of Tailwind, by properties; and of Illustrator and CorelDRAW, which name any."""
 _SOME = "currentColor"
 """In place of a colour that is not known."""
+_OF_PALETTE = re.compile(PALETTE)
 _RULE = re.compile(r"\.((?:[\w-]|\\.)+)")
 
 Classes = Mapping[ET.Element, Mapping[str, str]]
@@ -66,7 +68,7 @@ def read(root: ET.Element) -> Classes:
             for kind, pattern in _UNREAD.items():
                 if kind not in own and pattern.fullmatch(name):
                     unread.setdefault(element, {})[kind] = name
-                    if kind == "stroke":
+                    if kind != "any":
                         element.set(kind, _SOME)
     return unread
 
@@ -74,7 +76,9 @@ def read(root: ET.Element) -> Classes:
 def _value(kind: str, said: str) -> str:
     """Return the value of an attribute that a class stands for."""
     said = said.strip("[]")
-    return str(int(said) / 100) if kind == "opacity" else _NAMED.get(said, said)
+    if kind == "opacity":
+        return str(int(said) / 100)
+    return colour(said) if _OF_PALETTE.fullmatch(said) else _NAMED.get(said, said)
 
 
 def missed(root: ET.Element, kept: Collection[ET.Element], classes: Classes) -> list[str]:

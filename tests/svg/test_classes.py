@@ -2,6 +2,7 @@
 
 import pytest
 
+from iconstudio.svg import colours, tailwind
 from iconstudio.svg.reading import own_svg
 from tests.svg.pictures import BODY, WINDOW, ink, overlap, read, svg
 
@@ -14,7 +15,7 @@ READ = {
     "stroke-none fill-current": "",
 }
 MISSED = {
-    "stroke-red-500": ' class="stroke-red-500"',
+    "stroke-brand-500": ' class="stroke-brand-500"',
     "stroke-primary": ' class="fill-none stroke-primary stroke-2"',
     "cls-1": ' class="cls-1"',
     "st0": ' class="st0"',
@@ -51,6 +52,30 @@ def test_what_the_document_says_itself_is_stronger(stronger):
     assert overlap(ink(document), ink(svg(HOUSE.format("")))) > 0.99
 
 
+PALETTE = {
+    "red-500": "#ef4444", "amber-400": "#fbbf24", "slate-800": "#1e293b", "blue-600": "#2563eb",
+    "emerald-300": "#6ee7b7", "gray-200": "#e5e7eb", "stone-950": "#0c0a09", "pink-100": "#fce7f3",
+    "yellow-500": "#eab308", "zinc-500": "#71717a", "violet-900": "#4c1d95", "sky-50": "#f0f9ff",
+}  # fmt: skip
+FAR = 30
+"""Levels of sRGB."""
+
+
+@pytest.mark.parametrize("name", PALETTE)
+def test_the_colours_of_the_palette_are_nearly_right(name):
+    near = colours.colour(tailwind.colour(name))
+    near, right = (bytes.fromhex(one[1:7]) for one in (near, PALETTE[name]))
+    assert max(abs(a - b) for a, b in zip(near, right, strict=True)) <= FAR
+
+
+def test_what_is_of_the_palette_is_drawn_though_all_else_is_not():
+    body = HOUSE.format(' class="fill-amber-400"') + PANE.format(' class="fill-slate-800"')
+    document = svg(body, 'viewBox="0 0 24 24" fill="none"')
+    painted = HOUSE.format(' fill="#fbbf24"') + PANE.format(' fill="#1e293b"')
+    assert read(document).remarks == read(svg(painted)).remarks
+    assert overlap(ink(document), ink(svg(painted))) > 0.99
+
+
 def test_a_line_of_a_colour_that_is_not_known_is_drawn():
     document = svg(HOUSE.format(MISSED["stroke-primary"]))
     right = svg(HOUSE.format(' fill="none" stroke="#000" stroke-width="2"'))
@@ -69,7 +94,7 @@ def test_a_class_that_nothing_else_stands_for_is_told(name):
 
 @pytest.mark.parametrize(
     ("one", "other"),
-    [("fill-red-500", "fill-[#00f]"), ("fill-primary", ""), ("fill-current", "fill-red-500")],
+    [("fill-brand-500", "fill-[#00f]"), ("fill-primary", ""), ("fill-current", "fill-brand-50")],
 )
 def test_fills_that_differ_are_told(one, other):
     body = HOUSE.format(f' class="{one}"') + PANE.format(f' class="{other}"')
