@@ -1,13 +1,17 @@
-"""Filters that are no part of an icon: shadows and glows, a blur behind a shape, and bevels.
+"""What is no part of an icon: shadows and glows, a blur behind a shape, and bevels.
 
-What a bevel is on is drawn as it would be without light.
+What a bevel is on is drawn as it would be without light. A shadow may also be a shape, of one dark
+colour that is hardly opaque where it begins and fades to nothing, as a long shadow does.
 """
 
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Collection
 
+from iconstudio.svg.colours import colour
+from iconstudio.svg.geometry import SHAPES
 from iconstudio.svg.lengths import numbers
+from iconstudio.svg.references import GRADIENTS
 
 LEFT_OUT = "A shadow was left out."
 UNLIT = "Light on a surface, as on a bevel, was left out."
@@ -15,6 +19,10 @@ UNLIT = "Light on a surface, as on a bevel, was left out."
 _DROP_SHADOW = re.compile(r"()drop-shadow\((?:[^()]|\([^()]*\))*\)")
 _REFERENCE = re.compile(r"""\s*url\(\s*["']?#(.*?)["']?\s*\)\s*""")
 _LIGHTING = {"feDiffuseLighting", "feSpecularLighting"}
+_PALE, _GONE = 0.3, 0.05
+"""How opaque a shape that is a shadow is at most, and where it ends."""
+_DARK = 80
+"""Greatest channel of its colour."""
 _MERGING = ("feMergeNode", "feBlend", "feComposite")
 
 
@@ -23,13 +31,42 @@ def leave_out(drawn: Collection[ET.Element]) -> list[str]:
     filters = [one for one in drawn if one.tag == "filter"]
     lights = {one.get("id", "") for one in filters if any(part.tag in _LIGHTING for part in one)}
     shadows = {one.get("id", "") for one in filters if _is_shadow(one)} - lights
-    found = [
+    cast = _cast(drawn)
+    for shape in cast:
+        shape.set("display", "none")
+    found = [[LEFT_OUT] if cast else []] + [
         _without(element, _REFERENCE, lights, UNLIT)
         + _without(element, _REFERENCE, shadows, LEFT_OUT)
         + _without(element, _DROP_SHADOW, {""}, LEFT_OUT)
         for element in drawn
     ]
     return sorted({one for said in found for one in said})
+
+
+def _cast(drawn: Collection[ET.Element]) -> list[ET.Element]:
+    """Return the shapes that are shadows, unless there is nothing else."""
+    fading = {one.get("id", "") for one in drawn if one.tag in GRADIENTS and _is_fading(one)}
+    shapes = [one for one in drawn if one.tag in SHAPES]
+    cast = [
+        one
+        for one in shapes
+        if (match := _REFERENCE.match(one.get("fill", ""))) and match[1] in fading
+        if one.get("stroke", "none") == "none"
+    ]
+    return cast if len(cast) < len(shapes) else []
+
+
+def _is_fading(gradient: ET.Element) -> bool:
+    """Whether a gradient is that of a shadow."""
+    opacities = []
+    for stop in gradient.iter("stop"):
+        said = colour(stop.get("stop-color", "#000000")) or ""
+        values = list(bytes.fromhex(said[1:])) if said[:1] == "#" else numbers(said[5:-1])
+        alpha = values[3] if len(values) > 3 else 1.0
+        opacities.append(alpha * (*numbers(stop.get("stop-opacity", "1")), 1.0)[0])
+        if not 0 <= max(values[:3], default=255) <= _DARK:
+            return False
+    return bool(opacities) and max(opacities) <= _PALE and min(opacities) <= _GONE
 
 
 def _without(

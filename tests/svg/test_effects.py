@@ -191,3 +191,25 @@ def test_an_image_in_a_filter_is_told_as_what_it_is(href, said):
     repeated = f'<filter id="f"><feImage href="{href}"/></filter>'
     body = f'{repeated}{DISC}<path filter="url(#f)" d="M0 0h1v1H0z"/>'
     assert_shows(svg(body.replace("<circle", '<circle id="x"')), DISC, remarks=[said])
+
+
+STOPS = '<stop offset="0" stop-color="{}" stop-opacity="{}"/><stop offset="1" stop-opacity="{}"/>'
+FADE = '<linearGradient id="g">' + STOPS + "</linearGradient>"
+BEHIND = '<path fill="url(#g)" d="M2 12L12 3L24 15V24H11z"/>'
+
+
+def test_a_shape_that_fades_from_a_dark_colour_is_a_shadow():
+    document = svg(FADE.format("#000", 0.27, 0) + BEHIND + RED.format(""))
+    assert_shows(document, RED.format(""), remarks=["A shadow was left out"])
+
+
+@pytest.mark.parametrize("said", [("#000", 0.6, 0), ("#000", 0.3, 0.2), ("#f80", 0.2, 0)])
+def test_what_is_opaque_or_coloured_or_does_not_fade_is_no_shadow(said):
+    assert (
+        "A shadow was left out."
+        not in read(svg(FADE.format(*said) + BEHIND + RED.format(""))).remarks
+    )
+
+
+def test_a_shadow_alone_is_the_drawing():
+    assert "A shadow was left out." not in read(svg(FADE.format("#000", 0.2, 0) + BEHIND)).remarks
