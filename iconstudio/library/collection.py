@@ -245,7 +245,8 @@ class Collection:
         if not numbers:
             meant = spelt[0] if spelt else identifier
             near = self._near(meant)
-            once = _ONCE if near and meant.partition(":")[0] in self.sets else ""
+            prefix, _, name = meant.partition(":")
+            once = _ONCE if prefix in self.sets and any(name in one for one in near) else ""
             raise IconstudioError(
                 f"The collection has no icon '{messages.shortened(meant)}'.{once}"
                 f"{messages.hint(near) or _LOOK_UP}"

@@ -329,6 +329,22 @@ def test_the_windows_of_a_black_card_without_a_margin_are_neither_sheets_nor_the
     assert scans.iou(ink, scans.fitted(pixels[..., 0] < 128)) > 0.9
 
 
+@pytest.mark.parametrize("side", [200, 480])
+@pytest.mark.parametrize("page", ["#191a1c", "#1e3a2b"])
+def test_the_pale_part_of_a_drawing_on_a_dark_page_is_no_sheet(page, side):
+    calendar = (
+        '<rect x="20" y="24" width="60" height="56" rx="6" fill="#e3f2fd"/>'
+        '<path d="M26 24h48a6 6 0 0 1 6 6v10H20V30a6 6 0 0 1 6-6z" fill="#1e88e5"/>'
+        '<path d="M38 58l8 8 16-16" fill="none" stroke="#43a047" stroke-width="6"/>'
+    )
+    pixels = rgba(f'<path d="M0 0h100v100H0z" fill="{page}"/>{calendar}', side, "0 0 100 100")
+    scan = recognised(np.ascontiguousarray(pixels[..., :3]))
+    right = scans.fitted(rgba(calendar, 256, "0 0 100 100")[..., 3] / 255)
+    assert Omission.DESK not in scan.omissions
+    outline = ndimage.binary_fill_holes(ink_of(scan))
+    assert scans.iou(scans.fitted(outline.astype(float)), right) > 0.9
+
+
 FADING = {
     "cloud": '<linearGradient id="w" y2="1"><stop stop-color="#fff"/><stop offset="1" '
     'stop-color="#c9c2ea"/></linearGradient><circle cx="32" cy="34" r="24" fill="#fa3"/>'

@@ -79,7 +79,8 @@ _DARK = 105.0
 _DESK = 0.75
 """How much of the rim a desk has at least around a sheet of paper, whose corners are sharp."""
 _PAINT, _PAPER_AND_INK = 0.02, 2
-"""How much of a sheet a colour has to count, and how many a sheet has with what is drawn on it."""
+"""How much of a sheet, or of what is around, a colour has to count; and how many a sheet has with
+what is drawn on it. A desk has one."""
 _ALL_ALONG = 0.98
 """How much of the lines beside a stripe has another colour, if that is a stripe, too."""
 _IN_SHADOW = 0.1
@@ -243,15 +244,17 @@ def _on_a_desk(small: NDArray[np.float32], ground: NDArray[np.float32]) -> NDArr
 def _is_painted(
     palette: Palette | None, blended: NDArray[np.float32], sheet: NDArray[np.bool_]
 ) -> bool:
-    """Whether what looks like a sheet is a stripe, or in more flat colours than a drawing."""
+    """Whether a sheet is but a stripe, or a part of a drawing, as too many flat colours tell."""
     if palette is None:
         return False
     if has_stripes(palette.number != 0, _ALL_ALONG) and _grain(palette, blended) < _GRAIN:
         return True
     if not palette.is_exact(blended):
         return False
-    shares = [(palette.number[sheet] == one).mean() for one in range(len(palette.colours))]
-    return bool(sum(share > _PAINT for share in shares) > _PAPER_AND_INK)
+    counted = {one: palette.number == one for one in range(len(palette.colours))}
+    on_it = {one for one, there in counted.items() if there[sheet].mean() > _PAINT}
+    beside_it = {one for one, there in counted.items() if there[~sheet].mean() > _PAINT}
+    return len(on_it) > _PAPER_AND_INK or len(beside_it - on_it) > 1
 
 
 def _goes_on_in_shadow(palette: Palette, ground: Ground) -> bool:

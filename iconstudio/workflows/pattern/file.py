@@ -133,7 +133,8 @@ class PatternFile(File[Patterning], frozen=True):
         if self.motifs and self.image:
             raise IconstudioError("An exemplar is an image, or icons: give one of the two.")
         given = {"colours": self.colours is not None, "corrections": bool(self.corrections)}
-        for key in (key for key, there in given.items() if there and not self.image):
+        # In a project the image stands beside this.
+        for key in (key for key, there in given.items() if there and self.motifs):
             raise IconstudioError(f'"{key}" goes with "image", and there is none. Remove it.')
         ground_of(self.ground)
 
