@@ -9,6 +9,7 @@ import pytest
 from msgspec import structs
 
 from iconstudio.images.reading import Image
+from iconstudio.inputs.styles import bundled
 from iconstudio.model import (
     Axis,
     Correction,
@@ -16,12 +17,14 @@ from iconstudio.model import (
     IconstudioError,
     Inner,
     Layer,
+    Line,
     Motif,
     Patterning,
     Photo,
     Placement,
     Polygon,
     Remix,
+    Restyling,
     Separation,
     Sketch,
     Stroke,
@@ -31,6 +34,7 @@ from iconstudio.project.archive import Index, Project
 from iconstudio.project.contents import Contents, Formats, reading
 from iconstudio.workflows.areas import Area, Kind
 from iconstudio.workflows.hybrids.page import PickRequest
+from iconstudio.workflows.line_style.page import RestylePage
 from iconstudio.workflows.modelling.page import SketchPage
 from iconstudio.workflows.pattern.page import PatternPage
 from iconstudio.workflows.registry import registered, workflows
@@ -181,6 +185,17 @@ def test_a_pattern_is_read_back_with_its_motifs_or_its_image(formats, with_image
     project.index.pages["pattern"] = structs.replace(stored, chosen=(1, 99))
     tampered = contents(archive.unpacked(archive.packed(project)), formats)
     assert tampered.pages["pattern"].chosen == page.chosen
+
+
+def test_lines_are_read_back_as_they_were_whatever_a_file_may_say(formats):
+    """A line without a width, a style of a line that is not there, and two of one."""
+    style, other = list(bundled())[:2]
+    others = ((0, other), (0, style), (99, other))
+    work = Restyling(style, CAT, (Line(POINTS[:2]), Line(POINTS, width=9)), others=others)
+    project = Contents("restyle", {"restyle": RestylePage(work)}).project(formats)
+    again = contents(archive.unpacked(archive.packed(project)), formats)
+    assert not again.complaints
+    assert again.pages["restyle"].work == work
 
 
 def test_a_page_of_a_workflow_without_a_format_of_its_own(formats):

@@ -56,15 +56,18 @@ class LineFile(StrictRecord, frozen=True):
         if len({point[:2] for point in self.points}) < 2:
             raise IconstudioError("A line needs at least 2 different points.")
         check_widths(self.points, "line")
+
+    @property
+    def is_drawn(self) -> bool:
+        """Whether it has a width, or encloses something that is filled."""
         places, widths = parted(self.points)
         if self.width or widths:
-            return
+            return True
         try:
             Polygon.of(places).check_area()
         except IconstudioError:
-            raise IconstudioError(
-                'The line encloses nothing that is filled. Give it a "width" to be drawn with.'
-            ) from None
+            return False
+        return True
 
     @property
     def meets_canvas(self) -> bool:
@@ -122,15 +125,23 @@ class RestyleFile(File[Restyling], frozen=True):
                 )
         return tuple(told)
 
-    def check(self) -> None:
-        """Refuse two styles for one line."""
+    def resolving(self, resources: Resources) -> Generator[Event, None, Restyling]:
+        """Return the work, of which nothing would be lost: all lines are there, and are drawn.
+
+        A project keeps what was on its page, whatever that is: see ``resolved``.
+        """
+        for number, one in enumerate(self.lines, start=1):
+            if not one.is_drawn:
+                raise IconstudioError(
+                    f"In line {number}: The line encloses nothing that is filled. "
+                    'Give it a "width" to be drawn with.'
+                )
         for number, times in Counter(one.line for one in self.others).items():
             if times > 1:
                 raise IconstudioError(f'"others" gives line {number} {times} styles. Keep one.')
-
-    def resolving(self, resources: Resources) -> Generator[Event, None, Restyling]:
-        """Return the work, whose icon has all lines that are given styles of their own."""
         work = yield from super().resolving(resources)
+        if not work.others:
+            return work
         own = resources.lines(work.icon) if work.icon is not None else ()
         count = len(own) + len(work.strokes)
         for number, _ in work.others:

@@ -33,7 +33,8 @@ class RestylePages(PageFormat[RestylePage, StoredRestyling]):
         self, stored: StoredRestyling, parts: StoredParts
     ) -> Generator[Event, None, RestylePage]:
         """Return the page that was written."""
-        work = yield from stored.work.resolving(parts.resources)
+        yield from ()
+        work = stored.work.resolved(parts.resources.icon)
         return RestylePage(work, frozenset(stored.selected))
 
     def alike(self, page: RestylePage, other: RestylePage) -> bool:

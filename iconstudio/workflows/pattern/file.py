@@ -129,13 +129,9 @@ class PatternFile(File[Patterning], frozen=True):
         )
 
     def check(self) -> None:
-        """Refuse two exemplars, what is of an image only, and what is no colour."""
+        """Refuse two exemplars, and what is no colour."""
         if self.motifs and self.image:
             raise IconstudioError("An exemplar is an image, or icons: give one of the two.")
-        given = {"colours": self.colours is not None, "corrections": bool(self.corrections)}
-        # In a project the image stands beside this.
-        for key in (key for key, there in given.items() if there and self.motifs):
-            raise IconstudioError(f'"{key}" goes with "image", and there is none. Remove it.')
         ground_of(self.ground)
 
     def resolved(self, find: Find) -> Patterning:
@@ -145,6 +141,9 @@ class PatternFile(File[Patterning], frozen=True):
     def resolving(self, resources: Resources) -> Generator[Event, None, Patterning]:
         """Return the work, its image read."""
         if self.image is None:
+            given = {"colours": self.colours is not None, "corrections": bool(self.corrections)}
+            for key in (key for key, there in given.items() if there):
+                raise IconstudioError(f'"{key}" goes with "image", and there is none. Remove it.')
             return self.resolved(resources.icon)
         image = yield from resources.artwork(self.image)
         return self.with_image(resources.icon, image.photo, image.credits)
