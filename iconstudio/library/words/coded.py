@@ -64,7 +64,7 @@ def of_one(name: str) -> str:
     >>> [of_one(name) for name in ("mdi mdi-home", '<Icon icon="mdi:home" />', "<MdHome />")]
     ['mdi-home', 'mdi:home', 'MdHome']
     """
-    name = name.strip()
+    name = " ".join(name.split())  # patterns are slow on long runs of blanks
     if tag := _TAG.match(name):
         name = _of_element(name, *tag.groups(""))
     around = (found[1] for one in _AROUND if (found := one.search(name)))
