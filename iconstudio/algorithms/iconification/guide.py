@@ -174,21 +174,21 @@ def check_inner(inner: Inner, outline: Bitmap, gone: Bitmap | None = None) -> No
         return
     side = len(outline)
     away = _away(outline)
-    away_before = away if gone is None else _away(outline | gone)
     for name, shapes in (
         ("Hole", [(*hole.vertices, hole.vertices[0]) for hole in inner.holes]),
         ("Line", inner.lines),
     ):
         for number, points in enumerate(shapes, start=1):
             outside = _outside(points, away)
-            filled = fill_polygon(Polygon(points), side) & (name == "Hole")
-            if outside.any() and not _outside(points, away_before).any():
-                where = "lies in" if outside.all() else "reaches into"
-                raise IconstudioError(
-                    f"{name} {number} {where} what is removed, where nothing is left for it. "
-                    "Move it, or remove less."
-                )
+            is_hole = name == "Hole"
+            filled = fill_polygon(Polygon(points), side) if is_hole else np.zeros_like(outline)
             if outside.any():
+                if gone is not None and not _outside(points, _away(outline | gone)).any():
+                    where = "lies in" if outside.all() else "reaches into"
+                    raise IconstudioError(
+                        f"{name} {number} {where} what is removed, where nothing is left for it. "
+                        "Move it, or remove less."
+                    )
                 where = _beyond(outside, outline, filled)
                 raise IconstudioError(
                     f"{name} {number} {where} the outline. Move it inside, or remove it."

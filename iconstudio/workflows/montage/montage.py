@@ -16,12 +16,13 @@ from iconstudio.algorithms.iconification.guidance import (
     scribble,
     truncated_distance,
 )
-from iconstudio.algorithms.raster import placed_ink
+from iconstudio.algorithms.raster import Bitmap, placed_ink
 from iconstudio.model import (
     CANVAS,
     MARGIN,
     Exemplar,
     IconstudioError,
+    Layer,
     Montage,
     Placement,
     Source,
@@ -96,8 +97,7 @@ def _missed(montage: Montage, exemplars: Sequence[Exemplar]) -> Generator[str]:
     missed = [
         layer.icon.name
         for layer, exemplar in zip(montage.layers, exemplars, strict=True)
-        if layer.strokes
-        and not (scribble(layer.strokes) & placed_ink(exemplar, layer.placement)[0]).any()
+        if layer.strokes and not _marked(layer, exemplar).any()
     ]
     if len(missed) == sum(bool(layer.strokes) for layer in montage.layers):
         raise IconstudioError(
@@ -136,6 +136,11 @@ def framed(montage: Montage, exemplars: Sequence[Exemplar]) -> Montage:
     return Montage(tuple(layers))
 
 
+def _marked(layer: Layer, exemplar: Exemplar) -> Bitmap:
+    """Return the ink of a layer that strokes touch, (CANVAS, CANVAS)."""
+    return scribble(layer.strokes) & placed_ink(exemplar, layer.placement)[0]
+
+
 def _marked_box(
     montage: Montage, exemplars: Sequence[Exemplar]
 ) -> tuple[float, float, float, float]:
@@ -166,7 +171,7 @@ def _marked_box(
             )
             for stroke in layer.strokes
         )  # fmt: skip
-        inked |= scribble(strokes) & placed_ink(exemplar, small)[0]
+        inked |= _marked(replace(layer, placement=small, strokes=strokes), exemplar)
     if coarse == 1 or not inked.any():
         return 0, 0, CANVAS, CANVAS
     rows, columns = (np.flatnonzero(inked.any(axis=axis)) for axis in (1, 0))
