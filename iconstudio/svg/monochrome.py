@@ -23,8 +23,9 @@ from iconstudio.algorithms.extremes import minimum_filter
 from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.halo import without_halo
 from iconstudio.algorithms.tones.layers import flattened, left_out
+from iconstudio.algorithms.tones.paints import Paints, near_white, paints
 from iconstudio.algorithms.tones.seams import without_seams
-from iconstudio.algorithms.tones.tone import Paints, near_white, paints, pictogram
+from iconstudio.algorithms.tones.tone import pictogram
 from iconstudio.algorithms.tracing.vectorize import trace
 from iconstudio.model import CANVAS, Frame, IconstudioError
 from iconstudio.resources import resource

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from iconstudio.algorithms.tones.tone import near_white
+from iconstudio.algorithms.tones.paints import near_white
 from iconstudio.model import CANVAS
 from iconstudio.svg.geometry import SHAPES, path_data, slender
 from iconstudio.svg.lengths import (

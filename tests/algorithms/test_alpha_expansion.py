@@ -72,6 +72,7 @@ def test_expansions_are_those_of_the_plain_program(symmetry, block):
             assert fallen == pytest.approx(gained, rel=2e-4, abs=0.02)
 
 
+@pytest.mark.thorough
 def test_where_only_a_box_is_looked_at_the_rest_is_as_if_all_were():
     one = busy_problem(5)
     words = plane_words(one)

@@ -16,7 +16,7 @@ from tests import scans
 from tests.algorithms.test_flat import CUP
 from tests.algorithms.test_tone import rgba
 
-pytestmark = pytest.mark.thorough(but=1)
+pytestmark = pytest.mark.thorough
 
 FULL = '<path d="M0 0h100v100H0z" fill="{}"/>'
 ROUND = '<rect width="100" height="100" rx="22" fill="{}"/>'

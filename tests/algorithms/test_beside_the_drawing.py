@@ -14,7 +14,7 @@ from iconstudio.algorithms.scanning.note import note_on_desk
 from iconstudio.algorithms.scanning.punched import punch_holes
 from iconstudio.algorithms.tones.alternation import Omission
 
-pytestmark = pytest.mark.thorough(but=1)
+pytestmark = pytest.mark.thorough
 
 PEN = (30, 30, 35)
 

@@ -24,6 +24,7 @@ def coverage_of(body: str) -> np.ndarray:
     return found.coverage
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize("paper", ["#fff", "#fff8e1"])
 @pytest.mark.parametrize("colour", ["#d32f2f", "#1976d2", "#2e7d32"])
 @pytest.mark.parametrize(
@@ -106,6 +107,7 @@ def test_no_sector_of_a_wheel_of_hues_is_missing(count):
         assert covered[row - 4 : row + 5, column - 4 : column + 5].all()
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize(
     "colours", [("#0085c7", "#000", "#f4c300"), ("#e53935", "#43a047", "#1e88e5")]
 )

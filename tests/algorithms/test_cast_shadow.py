@@ -57,6 +57,22 @@ def test_a_drawing_is_as_without_its_long_shadow(shape, colour, figure, opacity)
     assert scans.iou(*(scans.fitted(one.coverage / 255) for one in (drawn, plain))) > 0.96
 
 
+PALETTE = [("#26a69a", "#00796b"), ("#f39c12", "#d35400"), ("#3498db", "#2471a3")]
+
+
+@pytest.mark.parametrize(("colour", "darker"), PALETTE)
+@pytest.mark.parametrize("shape", TILES)
+def test_a_shadow_may_be_a_darker_colour_of_a_palette(shape, colour, darker):
+    """One stripe from the corners of a letter to the edge, as designers draw it."""
+    plain = TILES[shape].format(f'fill="{colour}"')
+    letter = '<path d="M30 30h40v11H56v33H44V41H30z" fill="#fff"/>'
+    stripe = f'<path clip-path="url(#c)" d="M70 30l70 70v60L44 74z" fill="{darker}"/>'
+    drawn = as_svg(f'<clipPath id="c">{TILES[shape].format("")}</clipPath>{plain}{stripe}{letter}')
+    assert Omission.SHADOW in drawn.omissions
+    both = scans.fitted(drawn.coverage / 255), scans.fitted(as_svg(plain + letter).coverage / 255)
+    assert scans.iou(*both) > 0.96
+
+
 @pytest.mark.parametrize("kind", ["PNG", "JPEG"])
 @pytest.mark.parametrize(
     ("shape", "colour", "side"), [("tile", "#e74c3c", 96), ("square", "#2ecc71", 180)]

@@ -13,7 +13,7 @@ from tests import scans
 from tests.algorithms.test_flat import FACE, SMILE
 from tests.algorithms.test_tone import as_svg, rgba
 
-pytestmark = pytest.mark.thorough(but=1)
+pytestmark = pytest.mark.thorough
 
 RING = (
     '<circle cx="50" cy="50" r="32" fill="none" stroke="#06c" stroke-width="26"/>'

@@ -1,6 +1,7 @@
 """*Curve Analogies* as a whole: what a fake would not pass."""
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -34,22 +35,19 @@ def pairs():
     return {name: pair_of(style()) for name, style in STYLES.items()}
 
 
-@pytest.fixture(scope="module")
-def levels(pairs):
-    return {name: pyramid([pair], PARAMETERS) for name, pair in pairs.items()}
+@cache
+def levels_of(name):
+    return pyramid([pair_of(STYLES[name]())], PARAMETERS)
 
 
-@pytest.fixture(scope="module")
-def made(levels):
-    """For each style, the closed shapes in it, and what they were made of."""
-    return {
-        name: [
-            (shape(), analogy(some, shape(), PARAMETERS, seed))
-            for shape in SHAPES
-            for seed in SEEDS
-        ]
-        for name, some in levels.items()
-    }
+@cache
+def made_of(name):
+    """The closed shapes in a style, and what they were made of."""
+    return [
+        (shape(), analogy(levels_of(name), shape(), PARAMETERS, seed))
+        for shape in SHAPES
+        for seed in SEEDS
+    ]
 
 
 @pytest.fixture(params=list(STYLES))
@@ -66,9 +64,9 @@ def mean_spectrum(curves):
 
 
 @pytest.mark.thorough
-def test_the_texture_is_that_of_the_example(name, pairs, made):
+def test_the_texture_is_that_of_the_example(name, pairs):
     wanted = spectrum(pairs[name].styled, pairs[name].plain)
-    found = mean_spectrum([(plain, one.curve) for plain, one in made[name]])
+    found = mean_spectrum([(plain, one.curve) for plain, one in made_of(name)])
     assert half_difference(found, wanted) <= 0.2
 
 
@@ -81,37 +79,37 @@ def test_neither_the_line_itself_nor_noise_has_the_texture(name, pairs):
     assert half_difference(spectrum(unit(shaken, True), plain), wanted) >= 0.36
 
 
-def test_lines_go_as_far_from_the_plain_ones_as_in_the_example(name, pairs, made):
+def test_lines_go_as_far_from_the_plain_ones_as_in_the_example(name, pairs):
     wanted = offset(pairs[name].styled, pairs[name].plain)
-    found = np.mean([offset(one.curve, plain) for plain, one in made[name]])
+    found = np.mean([offset(one.curve, plain) for plain, one in made_of(name)])
     assert 0.8 <= found / wanted <= 1.2
 
 
-def test_every_part_looks_like_some_part_of_the_example(name, pairs, made):
-    found = np.mean([misfit(one.curve, pairs[name].styled) for _, one in made[name]])
-    back = np.mean([misfit(pairs[name].styled, one.curve) for _, one in made[name]])
+def test_every_part_looks_like_some_part_of_the_example(name, pairs):
+    found = np.mean([misfit(one.curve, pairs[name].styled) for _, one in made_of(name)])
+    back = np.mean([misfit(pairs[name].styled, one.curve) for _, one in made_of(name)])
     assert found <= 0.5
     assert back <= 0.5
 
 
-def test_most_points_go_on_where_the_one_before_was_taken_from(name, made):
-    for _, one in made[name]:
+def test_most_points_go_on_where_the_one_before_was_taken_from(name):
+    for _, one in made_of(name):
         steps = np.diff(one.sources)
         assert np.mean((steps >= 0) & (steps <= 3)) >= 0.85
 
 
-def test_closed_lines_close(name, made):
-    for _, one in made[name]:
+def test_closed_lines_close(name):
+    for _, one in made_of(name):
         gaps = abs(np.diff(np.append(one.curve.points, one.curve.points[:1])))
         assert gaps[-1] <= 2.5 * np.median(gaps)
 
 
-def test_turning_and_moving_all_turns_and_moves_the_result(name, levels, pairs):
+def test_turning_and_moving_all_turns_and_moves_the_result(name, pairs):
     turn = np.exp(0.7j)
     plain = rounded_square()
-    one = analogy(levels[name], plain, PARAMETERS, 5).curve
+    one = analogy(levels_of(name), plain, PARAMETERS, 5).curve
     moved = replace(plain, points=turn * plain.points + 30 - 20j)
-    other = analogy(levels[name], moved, PARAMETERS, 5).curve
+    other = analogy(levels_of(name), moved, PARAMETERS, 5).curve
     assert other.points == pytest.approx(turn * one.points + 30 - 20j, abs=0.01)
     pair = pairs[name]
     turned = [
@@ -122,9 +120,9 @@ def test_turning_and_moving_all_turns_and_moves_the_result(name, levels, pairs):
     assert another.points == pytest.approx(one.points, abs=0.01)
 
 
-def test_the_same_seed_gives_the_same_bytes_and_another_does_not(name, levels):
-    one, again = (analogy(levels[name], circle(), PARAMETERS, 7).curve for _ in range(2))
-    other = analogy(levels[name], circle(), PARAMETERS, 8).curve
+def test_the_same_seed_gives_the_same_bytes_and_another_does_not(name):
+    one, again = (analogy(levels_of(name), circle(), PARAMETERS, 7).curve for _ in range(2))
+    other = analogy(levels_of(name), circle(), PARAMETERS, 8).curve
     assert one.points.tobytes() == again.points.tobytes()
     assert one.points.tobytes() != other.points.tobytes()
 
@@ -179,13 +177,13 @@ def test_what_a_line_does_can_depend_on_its_direction(conditional):
     assert np.sqrt(np.mean(upright**2)) > 2.5
 
 
-def test_noise_of_the_plain_line_is_not_copied(name, pairs, levels):
+def test_noise_of_the_plain_line_is_not_copied(name, pairs):
     pair = pairs[name]
     random = np.random.default_rng(4)
     points = circle().resampled(3.0).points
     noise = random.normal(size=len(points)) + 1j * random.normal(size=len(points))
     noisy = unit(points + np.sqrt(2) * noise, True)
-    made = analogy(levels[name], noisy, PARAMETERS, 1).curve
+    made = analogy(levels_of(name), noisy, PARAMETERS, 1).curve
     even = np.arange(1200) / 1200
     along = even * noisy.length
     repeated = np.mod(along / pair.plain.length, 1)
@@ -195,7 +193,7 @@ def test_noise_of_the_plain_line_is_not_copied(name, pairs, levels):
     assert misfit(made, pair.styled) <= 0.8 * misfit(copied, pair.styled)
 
 
-def test_hard_constraints_are_met(name, levels):
+def test_hard_constraints_are_met(name):
     plain = unit(np.array([20 + 128j, 236 + 128j]))
     places = [
         Constraint(0.0, 20 + 128j),
@@ -203,19 +201,19 @@ def test_hard_constraints_are_met(name, levels):
         Constraint(0.52, 132 + 122j),
         Constraint(1.0, 236 + 125j),
     ]
-    made = analogy(levels[name], plain, PARAMETERS, 2, constraints=places).curve
+    made = analogy(levels_of(name), plain, PARAMETERS, 2, constraints=places).curve
     for one in places:
         assert abs(made.at(np.array([one.parameter]))[0] - one.place) < 1e-9
     gaps = abs(np.diff(made.points))
     assert gaps.max() < 6 * np.median(gaps), "no needles"
 
 
-def test_soft_constraints_pull_by_their_weight(levels):
+def test_soft_constraints_pull_by_their_weight():
     plain = unit(np.array([20 + 128j, 236 + 128j]))
     far = []
     for weight in (0.1, 1.0, 100.0):
         pull = Constraint(0.5, 128 + 134j, weight)
-        made = analogy(levels["brush"], plain, PARAMETERS, 2, constraints=[pull]).curve
+        made = analogy(levels_of("brush"), plain, PARAMETERS, 2, constraints=[pull]).curve
         far.append(abs(made.at(np.array([0.5]))[0] - pull.place))
     assert far[0] > far[1] > far[2]
     assert far[2] < 0.5
@@ -247,17 +245,17 @@ def test_a_periodic_example_gives_its_period():
     assert 400 / power.argmax() == pytest.approx(25, abs=1.6)
 
 
-def test_coherence_makes_fewer_jumps(levels):
+def test_coherence_makes_fewer_jumps():
     def jumps(incoherent):
         parameters = replace(PARAMETERS, incoherent=incoherent)
-        steps = np.diff(analogy(levels["jitter"], circle(), parameters, 1).sources)
+        steps = np.diff(analogy(levels_of("jitter"), circle(), parameters, 1).sources)
         return np.sum((steps < 0) | (steps > 3))
 
     assert jumps(9.0) < jumps(1.0)
 
 
 @pytest.mark.parametrize("rotation", [False, True])
-def test_new_curves_look_like_the_example(name, pairs, levels, rotation):
-    made = scribble(levels[name], 600, PARAMETERS, 1, rotation).curve
+def test_new_curves_look_like_the_example(name, pairs, rotation):
+    made = scribble(levels_of(name), 600, PARAMETERS, 1, rotation).curve
     assert misfit(made, pairs[name].styled) <= 0.6
     assert made.length > 300

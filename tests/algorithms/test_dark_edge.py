@@ -14,7 +14,7 @@ from iconstudio.algorithms.tones.alternation import Omission
 from tests import scans
 from tests.algorithms.test_tone import rgba
 
-pytestmark = pytest.mark.thorough(but=1)
+pytestmark = pytest.mark.thorough
 
 LEAF = '<path d="M4 20C2 10 10 4 21 3c0 12-6 17-15 15l-1 3zM6 17l8-7" fill="{}" stroke="#fff"/>'
 HEIGHT, WIDTH = 480, 400

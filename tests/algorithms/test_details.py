@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from iconstudio.algorithms.tones import tone
 from iconstudio.algorithms.tones.alternation import Omission
-from iconstudio.algorithms.tones.tone import SIDE
+from iconstudio.algorithms.tones.resolution import SIDE
 from tests.algorithms.test_tone import amiss, ink, path, pictogram, rgba
 
 pytestmark = pytest.mark.thorough(but=1)
@@ -42,6 +42,7 @@ def drawings(draw) -> str:
     return "".join(parts)
 
 
+@pytest.mark.thorough
 @settings(max_examples=12)
 @given(drawings(), st.sampled_from(["#fff", "#fafafa", "#fde", "#fff2cc", "#ececff"]))
 def test_black_on_pale_paper_is_the_drawing_without_it(drawing, paper):
@@ -56,6 +57,7 @@ def test_a_drawing_may_be_of_any_dark_colour_on_its_page():
     assert abs(coverage.astype(int) - ink(coloured)).max() <= 10
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("paper", ["#fff", "#fff2cc"])
 def test_letters_stay_beside_other_colours(paper):
     disc = DISC.format("#e00")
@@ -63,6 +65,7 @@ def test_letters_stay_beside_other_colours(paper):
     assert amiss(coverage, ink(LETTERS + disc)) < 0.04
 
 
+@pytest.mark.thorough
 def test_letters_stay_as_holes_of_what_is_ink():
     sign = '<rect width="24" height="24" rx="9" fill="#fc0"/>'
     disc = DISC.format("#fff")

@@ -11,7 +11,7 @@ from iconstudio.algorithms.scanning.dithering import without_dithering
 from tests import scans
 from tests.algorithms.test_tone import rgba
 
-pytestmark = pytest.mark.thorough(but=1)
+pytestmark = pytest.mark.thorough
 
 FACE = (
     '<circle cx="16" cy="16" r="14" fill="#ffe8b8"/>'

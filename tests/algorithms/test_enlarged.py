@@ -11,6 +11,8 @@ from iconstudio.algorithms.scanning.resampling import premultiplied
 from tests import scans
 from tests.algorithms.test_tone import as_svg, rgba
 
+pytestmark = pytest.mark.thorough
+
 BADGE = (
     '<circle cx="12" cy="12" r="11.5" fill="#1d9bf0"/>'
     '<path d="M6 12.5l4 4 8-8.5" fill="none" stroke="#fff" stroke-width="2.4"/>'

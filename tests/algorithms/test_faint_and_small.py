@@ -6,6 +6,8 @@ from scipy import ndimage
 
 from iconstudio.algorithms.scanning.binarisation import ink_of, recognised
 
+pytestmark = pytest.mark.thorough
+
 
 def face(side: int, pen: float, eye: float) -> np.ndarray:
     """Return how much ink there is of a face in lines, (side, side), with dots as its eyes.

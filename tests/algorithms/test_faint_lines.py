@@ -9,7 +9,7 @@ from PIL import Image, ImageDraw
 from iconstudio.algorithms.scanning.binarisation import ink_of, recognised
 from iconstudio.algorithms.scanning.faint_lines import faint_lines, is_clean
 
-pytestmark = pytest.mark.thorough(but=1)
+pytestmark = pytest.mark.thorough
 
 WIDTH, HEIGHT = 400, 260
 POINTS = [(60, 200), (130, 130), (200, 150), (270, 70), (350, 40)]

@@ -149,6 +149,7 @@ def layered(name):
     return pictogram(flattened(rgba(LAYERED[name], 512, "0 0 100 100")))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", LAYERED)
 @pytest.mark.parametrize("side", [64, 400])
 def test_layers_are_as_in_the_same_drawing_as_svg(name, side):
@@ -271,6 +272,7 @@ def test_colours_that_reach_the_edge_are_no_page(name, side, quality):
     assert scans.iou(found, scans.fitted(right.coverage / 255)) > 0.88
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("side", "quality"), [(32, 0), (48, 0), (200, 65)])
 @pytest.mark.parametrize("corners", [True, False])
 def test_a_ring_on_a_gradient_is_the_drawing_on_it(side, quality, corners):
@@ -283,6 +285,7 @@ def test_a_ring_on_a_gradient_is_the_drawing_on_it(side, quality, corners):
     assert scans.iou(scans.fitted(ink_of(recognised(pixels)).astype(float)), right) > 0.88
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("bright", "side", "quality"), [("#335", 64, 0), ("#335", 256, 0), ("#558", 200, 80)]
 )
@@ -298,6 +301,7 @@ def test_the_glow_behind_a_sign_is_no_part_of_it(bright, side, quality):
     assert scans.iou(scans.fitted(ink_of(scan).astype(float)), right) > 0.9
 
 
+@pytest.mark.thorough
 def test_a_ball_with_a_highlight_of_the_colour_of_the_page_is_whole():
     ball = (
         '<radialGradient id="r" cx=".35" cy=".35"><stop stop-color="#fff"/><stop offset=".5" '
@@ -359,6 +363,7 @@ FADING = {
 }
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", FADING)
 @pytest.mark.parametrize(("side", "quality"), [(128, 0), (300, 80)])
 def test_what_is_nearly_as_pale_as_the_page_is_a_part_of_the_drawing(name, side, quality):
@@ -378,6 +383,7 @@ BARE = {
 }
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", BARE)
 @pytest.mark.parametrize(("side", "quality"), [(120, 0), (320, 75)])
 def test_white_all_along_one_side_of_a_flag_is_no_page(name, side, quality):

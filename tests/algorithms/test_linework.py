@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from iconstudio.algorithms.tones.alternation import Omission
-from iconstudio.algorithms.tones.tone import SIDE, pictogram
+from iconstudio.algorithms.tones.resolution import SIDE
+from iconstudio.algorithms.tones.tone import pictogram
 from tests.algorithms.test_tone import amiss, ink, rgba
 
 pytestmark = pytest.mark.thorough(but=1)

@@ -10,6 +10,8 @@ from iconstudio.algorithms.scanning.binarisation import ink_of, recognised
 from iconstudio.algorithms.scanning.repeated import unrepeated
 from tests.algorithms.test_tone import rgba
 
+pytestmark = pytest.mark.thorough
+
 VIEW = "0 0 24 24"
 BLACK = '<circle cx="12" cy="12" r="9" fill="none" stroke="#000" stroke-width="2"/>'
 COLOURED = (

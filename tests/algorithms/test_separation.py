@@ -5,8 +5,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from iconstudio.algorithms.tones.resolution import SIDE
 from iconstudio.algorithms.tones.separation import LINE
-from iconstudio.algorithms.tones.tone import SIDE, pictogram
+from iconstudio.algorithms.tones.tone import pictogram
 from tests.algorithms.test_tone import rgba
 
 WIDTH = 2 * LINE * 24 / SIDE

@@ -6,7 +6,7 @@ import scipy
 
 from iconstudio.algorithms.tones import tone
 from iconstudio.algorithms.tones.alternation import Omission
-from iconstudio.algorithms.tones.tone import SIDE
+from iconstudio.algorithms.tones.resolution import SIDE
 from tests.algorithms.test_tone import amiss, rgba
 
 pytestmark = pytest.mark.thorough(but=1)
@@ -123,6 +123,7 @@ def test_white_is_told_from_grey_beside_it():
     assert scipy.ndimage.label(ink)[1] == 1
 
 
+@pytest.mark.thorough
 def test_pale_marks_that_lie_free_on_white_stay_beside_other_colours():
     window = '<path d="M2 4h20v16H2z" fill="#fff"/><path d="M2 4h20v4H2z" fill="#1976d2"/>'
     lines = '<path d="M5 11h8v2H5zM5 15h12v2H5z" fill="{}"/>'
@@ -131,6 +132,7 @@ def test_pale_marks_that_lie_free_on_white_stay_beside_other_colours():
     assert (ink != right).sum() < 0.01 * right.sum()
 
 
+@pytest.mark.thorough
 def test_the_shade_of_something_white_is_no_mark():
     ball = '<circle cx="12" cy="12" r="9" fill="#fff"/><circle cx="19" cy="5" r="4" fill="#333"/>'
     shade = '<path d="M12 21a9 9 0 0 0 9-9h-3a6 6 0 0 1-6 6z" fill="#ddd"/>'

@@ -13,7 +13,7 @@ from iconstudio.algorithms.scanning.shadow import without_shadow
 from iconstudio.algorithms.tones.alternation import Omission
 from tests import scans
 
-pytestmark = pytest.mark.thorough(but=1)
+pytestmark = pytest.mark.thorough
 
 SIDE = 128
 

@@ -11,7 +11,7 @@ from iconstudio.algorithms.scanning.sharpened import unsharpened
 from tests import scans
 from tests.algorithms.test_tone import rgba
 
-pytestmark = pytest.mark.thorough(but=1)
+pytestmark = pytest.mark.thorough
 
 GEAR = (
     '<path d="M10 2h4v4l4-2 2 4-4 2v4l4 2-2 4-4-2v4h-4v-4l-4 2-2-4 4-2v-4l-4-2 2-4 4 2z'

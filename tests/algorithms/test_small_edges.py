@@ -13,7 +13,7 @@ from tests import scans
 from tests.algorithms.test_small_bitmaps import bitmap, found
 from tests.algorithms.test_tone import rgba
 
-pytestmark = pytest.mark.thorough(but=1)
+pytestmark = pytest.mark.thorough
 
 DOOR = (
     '<path d="M21.5 3h57v94h-57z" fill="#c1694f"/>'

@@ -37,6 +37,7 @@ STACKS = {
 }
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize("kind", STACKS)
 def test_each_layer_is_ink_between_lines_of_paper(kind):
     layers = STACKS[kind]
@@ -135,6 +136,7 @@ def test_the_sole_of_a_shoe_is_within_an_outline():
     assert not drawn[430, 100:400].any()
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize("colours", ["#222222 #cc3333", "#b58863 #f0d9b5", "#ffffff #1e6fd9"])
 def test_the_darker_squares_of_a_board_are_ink_within_a_frame(colours):
     one, other = colours.split()

@@ -15,7 +15,9 @@ from skimage.transform import resize
 
 from iconstudio.algorithms.tones import tone
 from iconstudio.algorithms.tones.alternation import Omission
-from iconstudio.algorithms.tones.tone import LINE, SIDE, Paints, near_white, paints
+from iconstudio.algorithms.tones.paints import Paints, near_white, paints
+from iconstudio.algorithms.tones.resolution import SIDE
+from iconstudio.algorithms.tones.separation import LINE
 from iconstudio.algorithms.tracing.vectorize import trace
 
 pytestmark = pytest.mark.thorough(but=1)

@@ -6,7 +6,9 @@ import scipy
 
 from iconstudio.algorithms.tones import tone
 from iconstudio.algorithms.tones.alternation import Omission
-from iconstudio.algorithms.tones.tone import OUTLINE, SIDE, Paints, paints
+from iconstudio.algorithms.tones.paints import Paints, paints
+from iconstudio.algorithms.tones.resolution import SIDE
+from iconstudio.algorithms.tones.tone import OUTLINE
 from tests.algorithms.test_tone import amiss, pictogram, rgba
 
 pytestmark = pytest.mark.thorough(but=1)
@@ -260,3 +262,44 @@ def test_white_in_a_wide_ring_is_a_body_of_its_own():
     ring = RING.format(50, 40, "#1976d2")
     right = rgba(ring + star.format("#000"), box=BOX)[..., 3]
     assert amiss(pictogram(rgba(ring + star.format("#fff"), box=BOX)), right) < 0.02
+
+
+DAYS = "".join(
+    f'<rect x="{x}" y="{y}" width="10" height="8" fill="{{marks}}"/>'
+    for y in (45, 60, 75)
+    for x in (20, 37, 54, 71)
+)
+PERSON = '<circle cx="28" cy="50" r="10" fill="#ffab91"/><path d="M12 75q0-14 16-14t16 14z"'
+PAGE = '<rect x="9" y="16" width="82" height="76" rx="9" fill="#fff" stroke="{line}"'
+PAGES = {
+    "days": DAYS,
+    "card": f'{PERSON} fill="#5c6bc0"/>'
+    '<path d="M54 44h30v7h-30zM54 58h30v7h-30z" fill="{marks}"/>',
+    "nothing": "",
+}
+
+
+@pytest.mark.parametrize("header", ["#e53935", "#00acc1", "#333"])
+@pytest.mark.parametrize("line", ["#b0bec5", "#78909c", "#ccc"])
+@pytest.mark.parametrize("kind", PAGES)
+def test_a_page_in_a_pale_line_with_a_header_is_paper(kind, line, header):
+    band = f'<path d="M9 25a9 9 0 0 1 9-9h64a9 9 0 0 1 9 9v10H9z" fill="{header}"/>'
+    marks = PAGES[kind].format(marks="#90a4ae")
+    page = PAGE.format(line=line) + ' stroke-width="3"/>'
+    lines = rgba(PAGE.format(line="#000").replace("#fff", "none") + ' stroke-width="3"/>', box=BOX)
+    right = np.maximum(lines, rgba(band + marks, box=BOX))[..., 3]
+    assert amiss(pictogram(rgba(page + band + marks, box=BOX)), right) < 0.06
+
+
+@pytest.mark.parametrize(
+    ("white", "line"), [("#fafafa", "#eee"), ("#fff", "#eee"), ("#fff", "#ddd")]
+)
+def test_a_faint_line_around_white_is_drawn(white, line):
+    egg = BODIES["egg"].replace("/>", f' stroke="{line}" stroke-width="2"/>', 1)
+    coverage = pictogram(rgba(egg.replace("#fff", white), box=BOX)) > 127
+    inside = rgba(egg, box=BOX)[..., 3] > 127
+    depth = scipy.ndimage.distance_transform_edt(inside)
+    yolk = rgba('<circle cx="48" cy="48" r="17"/>', box=BOX)[..., 3] > 127
+    assert coverage[inside & (depth < 6)].mean() > 0.9
+    assert coverage[yolk].mean() > 0.97
+    assert coverage[(depth > 16) & ~scipy.ndimage.binary_dilation(yolk, iterations=3)].mean() < 0.01

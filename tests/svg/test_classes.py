@@ -33,6 +33,7 @@ def test_plain_classes_are_read(names):
         assert overlap(ink(document), right) > 0.99
 
 
+@pytest.mark.thorough
 def test_a_white_pane_is_paper():
     body = HOUSE.format(' class="{}"') + PANE.format(' class="fill-white"')
     for house in ("fill-current", "fill-black"):
@@ -68,6 +69,7 @@ def test_the_colours_of_the_palette_are_nearly_right(name):
     assert max(abs(a - b) for a, b in zip(near, right, strict=True)) <= FAR
 
 
+@pytest.mark.thorough
 def test_what_is_of_the_palette_is_drawn_though_all_else_is_not():
     body = HOUSE.format(' class="fill-amber-400"') + PANE.format(' class="fill-slate-800"')
     document = svg(body, 'viewBox="0 0 24 24" fill="none"')
@@ -101,6 +103,7 @@ def test_fills_that_differ_are_told(one, other):
     assert "no rules" in read(svg(body)).remarks[0]
 
 
+@pytest.mark.thorough
 def test_the_faint_ring_of_a_spinner_is_read():
     spinner = (
         f'<circle {{}} cx="12" cy="12" r="10" {LINES}/>'

@@ -25,6 +25,7 @@ def face(radius, corners, aside=0.0):
     )
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize(
     ("radius", "corners", "aside"),
     [(9, 40, 0.4), (9.3, 40, 0), (9.05, 60, 0), (9, 12, 0), (9.6, 9, 0)],

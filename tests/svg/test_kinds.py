@@ -244,6 +244,7 @@ def moment_of(kind):
     return ["moves; it is taken as it stands at the end"] if kind in MOVING else ()
 
 
+@pytest.mark.thorough(but=24)
 @pytest.mark.parametrize("kind", AS_THE_HOUSE)
 def test_the_house_is_drawn(kind):
     assert_shows(AS_THE_HOUSE[kind], PATH, remarks=moment_of(kind))

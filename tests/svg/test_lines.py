@@ -143,6 +143,7 @@ def test_overlaps_are_removed():
     assert kinds(lines) == ["contour"]
 
 
+@pytest.mark.thorough
 def test_dashes_are_lines_each():
     svg = document(
         '<path d="M2 12H22.5" stroke="#000" stroke-width="2" stroke-linecap="round" '

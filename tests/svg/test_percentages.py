@@ -37,6 +37,7 @@ FACE = (
 )
 
 
+@pytest.mark.thorough
 @pytest.mark.thorough(but=1)
 @pytest.mark.parametrize(
     "stroke",
@@ -57,6 +58,7 @@ def test_a_hairline_in_the_colour_of_its_fill_changes_nothing():
     assert_shows(svg(square.format(' stroke="#000" stroke-width=".05"')), square.format(""))
 
 
+@pytest.mark.thorough
 def test_a_hairline_around_white_is_its_line():
     page = '<path d="M3 3h18v18H3z" fill="#fff" stroke="#000" stroke-width="{}"/>'
     dot = '<circle cx="12" cy="12" r="4" fill="#24c" stroke="#000" stroke-width="{}"/>'

@@ -232,6 +232,7 @@ def of_drawing(ink):
     return Drawing(Path(), large)
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize("right", [249, 256])
 def test_nothing_goes_on_beyond_what_is_added_at_the_border(workers, right):
     bar = exemplar(box(10, 110, 246, 146), "bar")
@@ -316,6 +317,7 @@ def test_a_wall_of_which_a_rough_mark_covers_the_rim_stays_as_it_is(workers):
         assert (ink ^ CUP).sum() < 0.01 * CUP.sum()
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize("marked", ["drawn", "taken out"])
 def test_a_hole_in_plain_ink_comes_though_no_other_icon_has_one(marked, workers):
     area = rectangle(90, 130, 150, 170)

@@ -58,6 +58,7 @@ def test_of_each_area_there_are_a_few_and_each_icon_once():
     assert fitted([np.zeros((CANVAS, CANVAS), bool)], many) == fitted([], many) == ()
 
 
+@pytest.mark.thorough(but=1)
 @pytest.mark.parametrize("keyword_finds_the_icon", [False, True])
 def test_a_hat_comes_as_large_as_it_is_sketched(workers, keyword_finds_the_icon):
     small = [(128 + 0.35 * (a - 128), 60 + 0.35 * (b - 130)) for a, b in HAT.vertices]

@@ -1,5 +1,7 @@
 """The flat shadow that a figure casts on the tile or the badge that it is on, to one side."""
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -8,8 +10,8 @@ from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions, cielab, hu
 
 _DEEPEST, _FAINTEST = 0.45, 0.97
 """How bright a shadow is at least and at most, as part of what it lies on."""
-_TINGE = 22.0
-"""Levels by which it misses the colour of that, made darker."""
+_TINGE = 45.0
+"""Levels by which it misses the colour of that, made darker; palettes have shades of their own."""
 _MEET = 15
 """Pixels across, of where they meet."""
 _PLATE = 0.95
@@ -27,7 +29,18 @@ _LEAST = 0.004
 _STEP, _APART, _FEW = 2, 2, 12
 """Of so many rows and columns one is looked at for plates and shades; so many of them lie between
 two colours at an edge; and places where they meet that a shadow has at least."""
+_EDGE = 5
+"""Pixels across, of where two colours blend."""
 _DIRECTIONS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
+
+
+class _Light(NamedTuple):
+    """What is left of the light in a shadow."""
+
+    bright: float
+    """How bright it is, as part of what it lies on."""
+    tinge: NDArray[np.float64]
+    """(3,): levels of sRGB that it lacks beside."""
 
 
 def is_cast(shadow: Mask, figure: Mask, ground: Mask) -> bool:
@@ -66,14 +79,21 @@ def without_cast_shadow(
         return None
     # On a gradient, what differs little in places differs more elsewhere.
     closer = regions(cielab(rgb), inside, _SLIGHT, smallest, leap=_LEAP)
-    shadow, bright = _shadow(closer, rgb)
+    shadow, light = _shadow(closer, rgb)
     if shadow is None:
         return None
     lit = rgb.copy()
-    lit[shadow] = np.minimum(np.rint(rgb[shadow] / bright), 255)
+    lit[shadow] = np.clip(np.rint(rgb[shadow] / light.bright + light.tinge), 0, 255)
+    # Between the two, pixels have neither colour.
+    ground = found.labels == found.lengths[0].argmax()
+    plain = closer.pure & (shadow | ground)
+    edge = ~closer.pure & inside & maximum_filter(shadow & plain, _EDGE)
+    edge &= maximum_filter(ground & plain, _EDGE)
+    edge &= ~maximum_filter(closer.pure & inside & ~plain, _EDGE)
+    lit[edge] = lit[nearest(plain)][edge]
     at = np.arange(len(rgba)) * len(rgb) // len(rgba)
     painted = rgba.copy()
-    changed = shadow[at][:, at]
+    changed = (shadow | edge)[at][:, at]
     painted[changed, :3] = lit[at][:, at][changed]
     return painted, lit
 
@@ -105,22 +125,19 @@ def _astray(
     return missed
 
 
-def _shadow(found: Regions, rgb: NDArray[np.uint8]) -> tuple[Mask | None, float]:
-    """Return where the shadow (n, n) lies that the figure on a plate casts, or None.
-
-    Also how bright it is, as part of the plate.
-    """
+def _shadow(found: Regions, rgb: NDArray[np.uint8]) -> tuple[Mask | None, _Light]:
+    """Return where the shadow (n, n) of the figure on a plate lies, or None; and its light."""
     ground = int(found.lengths[0].argmax())
     shaded = np.zeros(len(found.areas), bool)
-    shares: list[float] = []
+    lights: list[_Light] = []
     for one in np.flatnonzero(found.lengths[ground] > 0):
         if one:
-            bright = _brightness(found, rgb, int(one), ground)
-            if bright is not None:
+            light = _light(found, rgb, int(one), ground)
+            if light is not None:
                 shaded[one] = True
-                shares.append(bright)
+                lights.append(light)
     if not shaded.any():
-        return None, 1.0
+        return None, _Light(1.0, np.zeros(3))
     # What of it the figure cuts off from its ground has the same colour.
     apart = np.linalg.norm(found.colours[:, None] - found.colours[shaded], axis=2).min(axis=1)
     shaded |= (apart < ALIKE) & (found.colours[:, 0] < found.colours[ground, 0])
@@ -132,11 +149,12 @@ def _shadow(found: Regions, rgb: NDArray[np.uint8]) -> tuple[Mask | None, float]
     shadow: Mask = shaded[found.labels]
     on_plate = rim[plate].sum() > _PLATE * rim.sum()
     cast = on_plate and is_cast(shadow, figure, found.labels == ground)
-    return (shadow, float(np.median(shares))) if cast else (None, 1.0)
+    bright, tinge = (np.median(values, axis=0) for values in zip(*lights, strict=True))
+    return (shadow if cast else None), _Light(float(bright), tinge)
 
 
-def _brightness(found: Regions, rgb: NDArray[np.uint8], one: int, ground: int) -> float | None:
-    """Return how bright a region is where it meets another one, as part of that; None if tinged."""
+def _light(found: Regions, rgb: NDArray[np.uint8], one: int, ground: int) -> _Light | None:
+    """Return the light of a region where it meets another one; None if it is no shade of that."""
     here, beside = (found.pure & (found.labels == number) for number in (one, ground))
     here &= maximum_filter(beside, _MEET)
     if not here.any():
@@ -144,7 +162,9 @@ def _brightness(found: Regions, rgb: NDArray[np.uint8], one: int, ground: int) -
     shadow, lit = rgb[here].astype(float), rgb[nearest(beside)][here].astype(float)
     bright = float((shadow * lit).sum() / max((lit * lit).sum(), 1))
     amiss = np.median(_astray(shadow, lit, bright))
-    return bright if _DEEPEST < bright < _FAINTEST and amiss < _TINGE else None
+    if not (_DEEPEST < bright < _FAINTEST and amiss < _TINGE):
+        return None
+    return _Light(bright, np.median(lit - shadow / bright, axis=0))
 
 
 def _swept(mask: Mask, down: int, across: int, length: int) -> Mask:

@@ -64,7 +64,7 @@ def shades(rgb: NDArray[np.uint8], inside: Mask, found: Regions, smallest: float
     more = len(closer.areas) - len(found.areas)
     if not more or (not flat and _flow_together(closer)):
         return found
-    if _has_pale_line(closer) and (alone or more <= _FEW):
+    if pale_line(closer).any() and (alone or more <= _FEW):
         return closer
     if not alone:
         return _with_marks(found, closer) if flat else found
@@ -94,15 +94,17 @@ def _has_pale_rim(found: Regions) -> bool:
     return bool(outer[pale(found.colours)].sum() > _AROUND * outer.sum())
 
 
-def _has_pale_line(found: Regions) -> bool:
-    """Whether a line goes nearly all around paper that is paler."""
+def pale_line(found: Regions) -> Mask:
+    """Return the region (k + 1,) that is a line nearly all around paper that is paler, if any."""
     outer = found.lengths[0]
     number = int(outer.argmax())
+    line = np.zeros(len(outer), bool)
     if outer[number] < _AROUND * outer.sum() or found.widths[number] > THICK:
-        return False
+        return line
     paler = pale(found.colours) & (found.colours[:, 0] > found.colours[number, 0])
     paler[0] = False
-    return bool(found.lengths[number, paler].sum() > 0.5 * outer[number])
+    line[number] = found.lengths[number, paler].sum() > 0.5 * outer[number]
+    return line
 
 
 def _with_marks(found: Regions, closer: Regions) -> Regions:

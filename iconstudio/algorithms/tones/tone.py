@@ -32,7 +32,6 @@ it, or to a fifth if they make a part of the drawing, are as opaque, but paler; 
 left out, and what fades ends where it is half as opaque as the body (``layers``).
 """
 
-from enum import Enum
 from typing import NamedTuple
 
 import numpy as np
@@ -50,14 +49,20 @@ from iconstudio.algorithms.tones.layers import without_faint
 from iconstudio.algorithms.tones.linework import line_drawing, outline
 from iconstudio.algorithms.tones.lost import loses_edges
 from iconstudio.algorithms.tones.regions import STRIKING, Mask, Regions, cielab, nearest
+from iconstudio.algorithms.tones.resolution import (
+    SIDE,
+    SMALLEST,
+    body_alpha,
+    enlarged,
+    reduced,
+    repeated,
+)
 from iconstudio.algorithms.tones.separation import LINE, blend, separating
 from iconstudio.algorithms.tones.shades import shades
 from iconstudio.algorithms.tones.stacks import checkered, stacked
 from iconstudio.algorithms.tones.tiles import is_sheet, tile
-from iconstudio.algorithms.tones.whites import whites
+from iconstudio.algorithms.tones.whites import beside_outline, whites
 
-SIDE = 512
-"""Pixels to a side at which regions are found."""
 CONTRAST = 14.0
 """Neighbouring colours that differ by less (CIEDE2000) are shades of one."""
 FAINT = 11.0
@@ -66,8 +71,6 @@ GREYISH = 9.0
 """As CONTRAST, where white that is left out would take a grey along."""
 _RIM, _CONTOUR = 5, 0.2
 """Pixels along the contour that tell of such a grey, and how much of them it has."""
-SMALLEST = 60
-"""Pixels of the smallest detail that reads."""
 OUTLINE = 2 * LINE
 """Width of the line along white that is a part of the silhouette, in pixels."""
 _FINE = 5
@@ -80,14 +83,6 @@ _CLOSED = 28.0
 """Width in pixels of the narrowest paper in colour that has a line along the contour."""
 _NARROW = 2 * LINE
 """Width of regions that no line sets off, unless their colour is striking."""
-
-
-class Paints(Enum):
-    """Which paints of a drawing are ink, if its shapes can be kept as they are."""
-
-    ALL = "all paints are ink"
-    DARK = "near white is paper, all other paints are ink"
-    LIGHT = "near white is ink, all other paints are paper"
 
 
 class _Share(NamedTuple):
@@ -111,14 +106,14 @@ def pictogram(rgba: NDArray[np.uint8]) -> Inked:
     The drawing is sRGB with straight alpha, fitted to the square; n is best a multiple of SIDE.
     A drawing without anything to see has no ink.
     """
-    rgb, alpha = _reduced(rgba)
-    body = _body(alpha)
+    rgb, alpha = reduced(rgba)
+    body = body_alpha(alpha)
     opaque, faint = without_faint(rgba[..., 3].astype(np.float32), body)
     unlit = without_glow(rgb, alpha, body)
     if unlit is not None:
         share, own = unlit
-        at = nearest(_repeated(own, len(rgba)))
-        opacity = rgba[..., 3] * _enlarged(share, len(rgba)) + 0.5
+        at = nearest(repeated(own, len(rgba)))
+        opacity = rgba[..., 3] * enlarged(share, len(rgba)) + 0.5
         rest = pictogram(np.dstack([rgba[..., :3][at], opacity.astype(np.uint8)]))
         # Of the glow, a faint trace may be left; what was faint beside it may be gone with it.
         omissions = rest.omissions - {Omission.FAINT} | {Omission.GLOW}
@@ -128,7 +123,7 @@ def pictogram(rgba: NDArray[np.uint8]) -> Inked:
     omissions = frozenset[Omission]()
     if inside.any() and np.ptp(rgb[inside], axis=0).max() > _ROUNDING:
         share, omissions = _in_two_tones(rgba, rgb, inside) or _in_colours(rgba, rgb, inside)
-        silhouette *= _enlarged(share, len(rgba))
+        silhouette *= enlarged(share, len(rgba))
     if faint:
         omissions |= {Omission.FAINT}
     return Inked((silhouette + 0.5).astype(np.uint8), omissions)
@@ -161,11 +156,11 @@ def _in_colours(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask) -
     drawn, rim = separating(rgb, found, tones.lines), _rim(found, tones.outlined)
     if tones.lines.any() or not tones.ink[1:].all() or tones.over.any():
         soft = _soft(rgb, found, tones, drawn, rim)
-    plain = _enlarged(soft, len(rgba))
+    plain = enlarged(soft, len(rgba))
     soft = _with_details(plain, rgba, inside, found, tones)
     lines = np.maximum(drawn, rim)
     if lines.any():  # beside which nothing is a detail
-        at_lines = _repeated(maximum_filter(lines, 5) > 0, len(rgba))
+        at_lines = repeated(maximum_filter(lines, 5) > 0, len(rgba))
         soft = np.where(at_lines, plain, soft)
     lost = loses_edges(cielab(rgb), found, tones, soft > 0.5)
     return _Share(soft, tones.omissions | ({Omission.SHADES} if lost else set()))
@@ -181,66 +176,11 @@ def _with_details(
     """Return how much of each pixel is ink, given that without letters and thin lines."""
     n = len(rgba)
     masks = inside, found.pure, tones.ink[found.labels]
-    within, pure, ink = (_repeated(mask, n) for mask in masks)
+    within, pure, ink = (repeated(mask, n) for mask in masks)
     levels = rgba[..., :3].astype(np.float32) @ np.array([0.299, 0.587, 0.114], np.float32)
     grey = np.where(within, levels, np.float32(255))
     reach = round(_FINE * n / SIDE)
     return details.with_details(soft, grey, within, pure, ink, reach)
-
-
-def paints(rgba: NDArray[np.uint8], coverage: NDArray[np.uint8]) -> Paints | None:
-    """Return which paints of a drawing are ink, given its pictogram; None if shapes must change.
-
-    Painted so, and with the opacity of its body raised to 1, the drawing looks as the pictogram
-    does but for specks; if there is no such way, the pictogram is to be traced.
-    """
-    rgb, alpha = _reduced(rgba)
-    visible, white = alpha > _body(alpha) / 2, near_white(rgb)
-    ink = _averaged(coverage[..., None].astype(np.float32))[..., 0] > 127.5
-    for choice, painted in (
-        (Paints.ALL, visible),
-        (Paints.DARK, visible & ~white),
-        (Paints.LIGHT, visible & white),
-    ):
-        # Edges, where colours blend, do not count.
-        amiss = scipy.ndimage.binary_opening(painted != ink, np.ones((3, 3)))
-        if amiss.sum() < SMALLEST:
-            return choice
-    return None
-
-
-def near_white(rgb: NDArray[np.uint8]) -> Mask:
-    """Return which of the sRGB colours (..., 3) are near white."""
-    return regions.near_white(cielab(rgb))
-
-
-def _reduced(rgba: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
-    """Return the colours and the alpha, 0 to 255, of a drawing on SIDE by SIDE pixels."""
-    premultiplied = rgba.astype(np.float32)
-    premultiplied[..., :3] *= premultiplied[..., 3:] / 255
-    small = _averaged(premultiplied)
-    alpha = small[..., 3]
-    rgb = small[..., :3] * (255 / np.maximum(alpha, 1))[..., None]
-    return np.clip(rgb + 0.5, 0, 255).astype(np.uint8), alpha
-
-
-def _averaged(values: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return the means (SIDE, SIDE, c) of values (n, n, c)."""
-    n = len(values)
-    if n % SIDE:
-        from skimage.transform import resize_local_mean
-
-        means: NDArray[np.float32] = resize_local_mean(values, (SIDE, SIDE), channel_axis=2)
-        return means
-    step = n // SIDE
-    shifts = [values[row::step, column::step] for row in range(step) for column in range(step)]
-    return sum(shifts[1:], shifts[0]) / np.float32(step**2)
-
-
-def _body(alpha: NDArray[np.float32]) -> float:
-    """Return the alpha of a drawing's body: all but its most opaque specks have no more."""
-    visible = alpha[alpha > 4]
-    return float(np.quantile(visible, 0.95)) if visible.size else 255.0
 
 
 def _regions(rgb: NDArray[np.uint8], inside: Mask) -> Regions:
@@ -283,6 +223,7 @@ def _tones(found: Regions) -> Tones:
     # A line would leave little of a narrow region.
     narrow = found.widths < _NARROW
     narrow = (narrow | narrow[:, None]) & (found.contrasts < STRIKING)
+    narrow |= beside_outline(found, white.paper)
     closed = ~ink & ~found.white & (found.lengths[0] > 0) & (found.widths > _CLOSED)
     closed[0] = False
     outlined = ((white.outlined & ~ink) | closed) & ~behind.any()
@@ -314,6 +255,8 @@ def _alternating(found: Regions, behind: Mask, white: Mask) -> Mask:
     inner = found.contrasts[:, 1:].max(axis=1)
     shade = (tone == 0) & (found.widths < _NARROW) & (inner > 0) & (inner < STRIKING)
     weights[shade] = found.lengths[shade]
+    # Nor is a pale line around white one of what is darker.
+    weights[beside_outline(found, white)] = 0
     # Nor is a second one, along the first.
     outermost = shade & (found.lengths[0] > 0)
     second = shade & (found.lengths[:, outermost].sum(axis=1) > 0.4 * found.around)
@@ -386,15 +329,3 @@ def _without_crumbs(soft: NDArray[np.float32], inside: Mask) -> NDArray[np.float
 def _smooth(values: NDArray[np.floating], sigma: float) -> NDArray[np.float32]:
     smooth: NDArray[np.float32] = scipy.ndimage.gaussian_filter(values.astype(np.float32), sigma)
     return smooth
-
-
-def _repeated(mask: Mask, n: int) -> Mask:
-    """Return a mask (SIDE, SIDE) on n by n pixels."""
-    at = np.arange(n) * SIDE // n
-    return mask[at][:, at]
-
-
-def _enlarged(soft: NDArray[np.float32], n: int) -> NDArray[np.float32]:
-    from skimage.transform import resize
-
-    return soft if n == len(soft) else resize(soft, (n, n), order=1)

@@ -9,7 +9,8 @@
    along a *bite*. White in a line of another paint that leaves a narrow gap all along it, as in the
    wheels of a bicycle, needs no other outline, and is no body; nor is other white in the lines.
 3. White within the drawing is paper if it is on what reaches the outside (eyes in a face), else it
-   differs from what is around it, as all colours do (teeth in a mouth).
+   differs from what is around it, as all colours do (teeth in a mouth). What lies upon it does not
+   count, nor is a pale line around it one of what is darker (the header of a calendar).
 
 A *bite* is pure white, as pages are, and hides a good part of a colour, as in a crescent made of a
 disc and a white one, or a bitten apple, or divides it, as the cross of a flag does. What a colour
@@ -24,6 +25,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.tones.linework import THICK
 from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions, hull, sums
+from iconstudio.algorithms.tones.shades import pale_line
 from iconstudio.algorithms.tones.tiles import SHARP, rectangularity
 
 _AROUND = 0.9
@@ -47,6 +49,8 @@ _WITHIN = 0.9
 _GAP, _ALONG = 12.0, 0.6
 """Width in pixels of the widest gap between white and the line that it lies in; how much of its
 contour on the outside runs along one."""
+_PALE = 55.0
+"""Lightness of the darkest line that is a pale outline."""
 _WHOLE = 0.95
 """How much of its convex hull a shape fills that a band of white divides, with that band."""
 
@@ -63,7 +67,7 @@ class Whites(NamedTuple):
 
 def whites(found: Regions) -> Whites:
     """Return which white regions are paper; of the others it depends on what is around them."""
-    white, outer = found.white, found.lengths[0]
+    white, outer = found.white & ~pale_line(found), found.lengths[0]
     none = np.zeros_like(white)
     total = found.areas[1:].sum()
     if found.areas[1:][~white[1:]].sum() < 0.05 * total:
@@ -88,6 +92,21 @@ def whites(found: Regions) -> Whites:
     outlined = at_outside & ~body & (found.widths > _BAND) & (part & alike & wide).any(axis=1)
     paper = white & ~body & (at_outside | framed | _on_ink(found))
     return Whites(paper, part | outlined, none)
+
+
+def beside_outline(found: Regions, paper: Mask) -> Mask:
+    """Return the pairs (k + 1, k + 1) of a pale line around white paper and what is darker in it.
+
+    As with the header of a calendar whose page has a grey line around it, that line is no outline
+    of the darker part.
+    """
+    lightness = found.colours[:, 0]
+    line = (found.widths < _BAND) & (lightness > _PALE) & ~paper
+    line &= found.lengths[:, paper].any(axis=1)
+    line &= found.lengths[0] > 0.5 * found.lengths[0].sum()
+    darker: Mask = line[:, None] & (lightness < lightness[:, None])
+    darker[:, 0] = False
+    return darker | darker.T
 
 
 def _framed(found: Regions) -> Mask:
@@ -125,9 +144,13 @@ def _is_white_around(found: Regions) -> Mask:
 
 
 def _on_ink(found: Regions) -> Mask:
-    """Return the regions (k + 1,) that are mostly on what reaches the outside, which is ink."""
+    """Return the regions (k + 1,) that are mostly on what reaches the outside, which is ink.
+
+    What lies upon a region, as the days of a calendar do, does not count.
+    """
     reaching = found.lengths[0] > 0
-    on_ink: Mask = found.lengths[:, reaching].sum(axis=1) > 0.5 * found.around
+    beside = np.where(found.lengths > _WITHIN * found.around, 0, found.lengths)
+    on_ink: Mask = beside[:, reaching].sum(axis=1) > 0.5 * beside.sum(axis=1)
     return on_ink
 
 
