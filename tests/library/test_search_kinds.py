@@ -481,6 +481,22 @@ def test_beside_what_an_unknown_icon_finds_it_is_told_that_it_is_not_there(bundl
     assert remark.count("Did you mean") <= 1
 
 
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("abbrechen", "cancel"),
+        ("zurück", "back"),
+        ("siguiente", "next"),
+        ("imprimer", "print"),
+        ("aiuto", "help"),
+        ("キャンセル", "cancel"),
+    ],
+)
+def test_words_of_buttons_elsewhere_are_told_in_english(bundled, typed, meant):
+    with pytest.raises(IconstudioError, match=rf"Did you mean (\w+, )*{meant}\b"):
+        bundled.search(typed)
+
+
 def test_of_an_unknown_icon_without_a_like_it_is_told_what_to_do(bundled):
     with pytest.raises(IconstudioError, match=r"no icon 'qqq:qqzzq'\. Search for what it shows"):
         bundled.get("qqq:qqzzq")

@@ -184,7 +184,7 @@ BRANDS = words(
     """
     acer adidas adobe airbnb aldi asus audi bluesky bmw bosch canon chanel citroen colgate discord
     docker dotnet ebay etsy facebook fanta ferrari fiat firefox flickr github gitlab gucci
-    heineken honda huawei
+    google heineken honda huawei
     hulu hyundai ikea instagram intel jira kia lenovo levis lidl linkedin mastodon mercedes nestle
     netflix nike nikon nintendo nissan nokia nvidia opel paypal pepsi philips pinterest porsche
     prada reddit renault rolex safari samsung shein shopify siemens skoda skype slack snapchat sony
@@ -261,7 +261,14 @@ EVERYDAY = _listed(
     ordinateur: computer, コンピューター: computer, 电脑: computer, 컴퓨터: computer,
     компьютер: computer, sleutel: key, klucz: key, nyckel: key, anahtar: key, fiets: bicycle,
     rower: bicycle, cykel: bicycle, bil: car, coche: car, teller: plate, vis: screw,
-    schraube: screw, lit: bed
+    schraube: screw, lit: bed, abbrechen: cancel, annuler: cancel, annulla: cancel,
+    取消: cancel, キャンセル: cancel, отмена: cancel, zuruck: back, volver: back, retour: back,
+    indietro: back, voltar: back, 戻る: back, 返回: back, назад: back, weiter: next,
+    siguiente: next, suivant: next, avanti: next, 次へ: next, далее: next, drucken: print,
+    imprimir: print, imprimer: print, stampa: print, 印刷: print, 打印: print, печать: print,
+    hilfe: help, ayuda: help, aide: help, aiuto: help, ajuda: help, ヘルプ: help, 帮助: help,
+    schliessen: close, cerrar: close, fermer: close, chiudi: close, fechar: close,
+    rechercher: search
     """
 )
 """Words of other languages, without accents, that no emoji is called by, or something else."""
