@@ -16,7 +16,7 @@ from iconstudio.model import Edit, IconstudioError, Sketch
 from iconstudio.output.report import GridReport
 from iconstudio.output.request import Request
 from iconstudio.session import Session
-from iconstudio.workflows.criteria import with_known_icons
+from iconstudio.workflows.criteria import contradiction, with_known_icons
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import LAMBDAS, GridSettings
 
@@ -55,12 +55,15 @@ class GridOptions:
         request, remarks = with_known_icons(request, session.collection.get)
         for remark in remarks:
             running.tell(f"In “{self.file.name}”: {remark}")
-        return replace(
+        wanted = replace(
             request,
             keyword=request.keyword if self.keyword is None else self.keyword,
             exclude=request.exclude | running.icons_of("--exclude", session, self.exclude),
             include=request.include | running.icons_of("--include", session, self.include),
         )
+        if torn := contradiction(wanted):
+            running.tell(torn)
+        return wanted
 
     def settings(self, styles: tuple[str, ...]) -> GridSettings:
         """Return which results to make; ``styles`` are those made if none is named."""

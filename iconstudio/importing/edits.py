@@ -7,7 +7,7 @@ from typing import Any
 from iconstudio.importing.importer import IconImporter, Opened
 from iconstudio.inputs.together import ReadTogether
 from iconstudio.model import Exemplar, Pictogram
-from iconstudio.workflows.criteria import with_known_icons
+from iconstudio.workflows.criteria import contradiction, with_known_icons
 from iconstudio.workflows.editing import page
 from iconstudio.workflows.editing.page import EditPage
 from iconstudio.workflows.editing.spec import EDITING
@@ -26,7 +26,7 @@ class EditImporter(IconImporter[EditPage]):
         edit = yield from read_file(path, EDITING, self.session)
         edit, remarks = with_known_icons(edit, self.session.icon)
         icon = self.session.exemplar(edit.icon)
-        words = " ".join([_about(icon), *remarks])
+        words = " ".join([_about(icon), *remarks, contradiction(edit)]).strip()
         yield Opened(words, lambda document: page.load(document, edit, icon))
 
     def beginning(self, icon: Exemplar) -> Generator[Opened]:

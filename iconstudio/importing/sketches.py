@@ -10,7 +10,7 @@ from iconstudio.importing.importer import Importer, Opened
 from iconstudio.inputs.items import Drawing, File, Image, Item
 from iconstudio.inputs.together import ReadTogether
 from iconstudio.model import IconstudioError, Photo
-from iconstudio.workflows.criteria import with_known_icons
+from iconstudio.workflows.criteria import contradiction, with_known_icons
 from iconstudio.workflows.modelling import page
 from iconstudio.workflows.modelling.file import SketchFile, read_sketch
 from iconstudio.workflows.modelling.page import SketchPage
@@ -44,7 +44,8 @@ class SketchImporter(Importer[SketchPage]):
         sketch, step = file.resolved(self.session.icon), "open sketch"
         sketch, remarks = with_known_icons(sketch, self.session.icon)
         put = partial(page.load_sketch, sketch=sketch, photo=photo, text=step)
-        yield Opened(" ".join([f"Opened “{file.title}”.", *remarks]), put)
+        words = " ".join([f"Opened “{file.title}”.", *remarks, contradiction(sketch)]).strip()
+        yield Opened(words, put)
         if trouble is not None:
             raise IconstudioError(f"The sketch was opened without its photo: {trouble}")
 

@@ -13,19 +13,17 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.library import database, messages, search
+from iconstudio.library import database, messages, misses, search
 from iconstudio.library.archive import Archive
 from iconstudio.library.fingerprint import stack
 from iconstudio.library.iconify import document
+from iconstudio.library.identifiers import Identifiers, glob
 from iconstudio.library.lookup import Lookup
 from iconstudio.library.phrases import Answer
 from iconstudio.library.words import coded, query, symbols
-from iconstudio.library.words.decency import is_insult, is_rude
-from iconstudio.library.words.naming import is_negated, take_apart
-from iconstudio.library.words.nearness import nearest
+from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.query import Style
 from iconstudio.library.words.strangers import shows_more
-from iconstudio.library.words.vocabulary import PREPOSITIONS
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.model.progress import Progress
 from iconstudio.resources import resource
@@ -39,8 +37,6 @@ LIMIT = 200
 _PART = 500
 """Icons that are asked for at a time: a question has room for so many."""
 _DAMAGED = "The unpacked icon collection is damaged, and unpacked anew: %s"
-_LOOK_UP = " Search for what it shows instead, with a word such as 'dog'."
-_ONCE = " Of icons that look alike it has one."
 _FEW = 20
 """With fewer drawings, a keyword lends no parts to choose from."""
 _ANY = Style()
@@ -101,6 +97,7 @@ class Collection:
         self.sets = frozenset(credits[0] for credits in self._sets.values())
         """The names of all sets."""
         self._lookup = Lookup(self._rows)
+        self._identifiers = Identifiers(self._rows, self._lookup, self.sets, self._choose)
         self._cells: NDArray[np.uint64] = stack([cells])
         self._blackness = np.frombuffer(blackness, dtype=np.uint8)
 
@@ -192,14 +189,17 @@ class Collection:
         if not query.plain(keyword):
             raise IconstudioError(f"There is no word in {messages.said(keyword)}. {messages.THING}")
         scores = self._answer(keyword).scores
-        excluded = self._numbers(exclude)
+        excluded = self._identifiers.numbers(exclude)
         for number in excluded:
             scores.pop(number, None)
         found = self._choose(scores, limit, self._lookup.style(keyword))
         called = self._lookup.called(keyword)
         found = search.with_called(found, called, excluded)[:limit]
         if not found:
-            raise IconstudioError(self._nothing(keyword, bool(exclude)))
+            if exclude and self._answer(keyword).scores:
+                raise IconstudioError(messages.all_excluded(keyword))
+            near = self._identifiers.near_to(keyword)
+            raise IconstudioError(misses.told(keyword, self._lookup, near))
         return self._pictograms(found)
 
     @_mended
@@ -213,7 +213,9 @@ class Collection:
         """
         scores = self._answer(keyword).scores
         known = {name: scores[one] for one, name in self._lookup.identifiers(scores).items()}
-        words = {form for one in query.plain(_name(keyword)).split() for form in query.forms(one)}
+        words = {
+            form for one in query.plain(query.name(keyword)).split() for form in query.forms(one)
+        }
         found = frozenset(icons)
         more = frozenset(one for one in found if shows_more(one.partition(":")[2], words))
         related = frozenset(one for one in found if known.get(one, search.MORE) >= search.MORE)
@@ -223,13 +225,15 @@ class Collection:
     def remark(self, keyword: str) -> str:
         """Return how a keyword was read where not as typed, and what is near, or finds more."""
         answer = self._lookup.truly(self._answer(keyword))
-        name, count = _name(keyword), len(answer.scores)
+        name, count = query.name(keyword), len(answer.scores)
         wider = self._lookup.wider(name, 0 if answer.left_out else count)
         if answer and symbols.is_flag(keyword.strip()):
             return messages.FLAGS
         unheeded = self._lookup.unheeded(keyword, answer)
         near = self._lookup.spelling(name) or self._lookup.foreign(keyword, answer)
-        return messages.remark(answer, near, wider, unheeded)
+        missing = self._identifiers.missing(keyword) if answer else ""
+        said = messages.remark(answer, () if missing else near, wider, unheeded)
+        return f"{missing} {said}".strip()
 
     @_mended
     def get(self, identifier: str) -> Pictogram:
@@ -241,40 +245,20 @@ class Collection:
             If there is none; the message names what is near.
         """
         spelt = list(query.identifiers(identifier, self.sets))
-        numbers = self._numbers([identifier]) or self._numbers(spelt)
+        numbers = self._identifiers.numbers([identifier]) or self._identifiers.numbers(spelt)
         if not numbers:
-            meant = spelt[0] if spelt else identifier
-            near = self._near(meant)
-            prefix, _, name = meant.partition(":")
-            once = _ONCE if prefix in self.sets and any(name in one for one in near) else ""
-            raise IconstudioError(
-                f"The collection has no icon '{messages.shortened(meant)}'.{once}"
-                f"{messages.hint(near) or _LOOK_UP}"
-            )
+            raise IconstudioError(self._identifiers.unknown(spelt[0] if spelt else identifier))
         return self._pictograms(numbers[:1])[0]
 
     @_mended
     def of_set(self, name: str) -> tuple[Pictogram, ...]:
         """Return all icons of a set, in the order of their names."""
         rows = self._rows(
-            "SELECT number FROM icon WHERE id GLOB ? ORDER BY id", (f"{_glob(name)}:*",)
+            "SELECT number FROM icon WHERE id GLOB ? ORDER BY id", (f"{glob(name)}:*",)
         )
         numbers = [row[0] for row in rows]
         parts = (numbers[start : start + _PART] for start in range(0, len(numbers), _PART))
         return tuple(icon for part in parts for icon in self._pictograms(part))
-
-    def _near(self, identifier: str) -> tuple[str, ...]:
-        """Return identifiers of that name, those of the same set first, or else spelt alike."""
-        prefix, _, name = identifier.rpartition(":")
-        if is_rude(query.plain(name)):
-            return ()
-        scores = self._lookup.scores(name)
-        own = self._rows("SELECT number, id FROM icon WHERE id GLOB ?", (_glob(prefix) + ":*",))
-        in_set = {number: scores[number] for number, _ in own if number in scores}
-        named = [*self._choose(in_set, 2), *self._choose(scores, 4)]
-        if not named:
-            return tuple(f"{prefix}:{one}" for one in nearest(name, [_name(row[1]) for row in own]))
-        return tuple(dict.fromkeys(one.id for one in self._pictograms(named)))[:4]
 
     @_mended
     def suggest(self, keyword: str) -> tuple[str, ...]:
@@ -303,12 +287,12 @@ class Collection:
         If the keyword is an identifier, its icon comes first, then what has the same name.
         """
         spelt = list(query.identifiers(keyword, self.sets))
-        meant = dict.fromkeys(self._numbers(spelt)[:1], -1)
+        meant = dict.fromkeys(self._identifiers.numbers(spelt)[:1], -1)
         if coded.names_set(keyword):
-            answer = self._lookup.answer(_name(keyword))
+            answer = self._lookup.answer(query.name(keyword))
             return replace(answer, scores=answer.scores | meant)
         found = self._lookup.answer(keyword) or Answer(meant)
-        return found or (self._lookup.answer(_name(spelt[0])) if spelt else found)
+        return found or (self._lookup.answer(query.name(spelt[0])) if spelt else found)
 
     def _choose(self, scores: dict[int, int], limit: int, style: Style = _ANY) -> list[int]:
         found = self._in_order(scores, search.RELEVANT, style)
@@ -333,42 +317,12 @@ class Collection:
             return found
         names, order = self._lookup.identifiers(known), found.tolist()
         said = np.array([style.distance(names[icon]) for icon in order])
-        parts = (take_apart(_name(names[icon])) for icon in order)
+        parts = [take_apart(query.name(names[icon])) for icon in order]
         strange = np.array([style.strangeness(one) for one in parts])
+        adds = np.array([style.adds(one) for one in parts], dtype=np.bool_)
         seen = search.seen_style(self._blackness[found], style.solid)
         ranks = np.array([known[icon] for icon in order])
-        return search.nearest_style(found, ranks, said, seen, strange)
-
-    def _nothing(self, keyword: str, excluded: bool) -> str:
-        if excluded and self._answer(keyword).scores:
-            return f"Every icon for {messages.said(keyword)} is excluded. Exclude fewer."
-        only = messages.only(self._lookup.answer(keyword))
-        none = f"No icon is called {messages.said(keyword)}. {only}".rstrip()
-        words = query.plain(keyword)
-        if is_insult(words) or PREPOSITIONS.issuperset(words.split()):
-            return f"{none} {messages.THING}"
-        if symbols.is_flag(keyword.strip()):
-            return f"{none} {messages.FLAGS} {messages.THING}"
-        if beside := self._lookup.beside(_name(keyword)):
-            return f"{none} Of its kind there are: {', '.join(beside)}."
-        negated = is_negated(tuple(words.split()))
-        if negated:
-            none = f"{none} {messages.FORBIDDING}"
-        named_by_symbol = symbols.has_symbols(keyword) and not negated
-        parts = () if named_by_symbol else self._lookup.parts(_name(keyword))
-        if parts:
-            none = f"{none} {messages.corrected(self._lookup.read_as(_name(keyword)))}".rstrip()
-            return f"{none} Alone, these words find icons: {', '.join(parts)}."
-        english = tuple(filter(self._lookup.scores, symbols.english(keyword.strip())))
-        near = self.suggest(_name(keyword)) if query.is_latin(keyword) else ()
-        if english:  # of what is only spelt like it, that is likely which is in these as well
-            near = (*(one for one in near if one in " ".join(english).split()), *english)
-            near = tuple(dict.fromkeys(near))
-        return f"{none}{messages.hint(near)} {messages.ENGLISH}"
-
-    def _numbers(self, identifiers: Iterable[str]) -> list[int]:
-        query = "SELECT number FROM icon WHERE id = ?"
-        return [row[0] for one in identifiers for row in self._rows(query, (one,))]
+        return search.nearest_style(found, ranks, said, seen, strange, adds)
 
     def _pictograms(self, numbers: list[int]) -> tuple[Pictogram, ...]:
         marks = ",".join("?" * len(numbers))
@@ -388,13 +342,3 @@ class Collection:
     def _rows(self, query: str, values: Iterable[Any] = ()) -> list[tuple[Any, ...]]:
         with self._lock:
             return self._database.execute(query, tuple(values)).fetchall()
-
-
-def _name(identifier: str) -> str:
-    """Return what an icon is called in its set: *home* of *mdi:home*."""
-    name = coded.of_one(identifier).rpartition(":")[2]
-    return name if query.plain(name) else identifier
-
-
-def _glob(text: str) -> str:
-    return "".join(f"[{c}]" if c in "*?[" else c for c in text)

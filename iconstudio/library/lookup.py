@@ -7,10 +7,10 @@ from dataclasses import replace
 from iconstudio.library.phrases import Answer, Phrases, at_least
 from iconstudio.library.search import ITSELF
 from iconstudio.library.terms import FEW, Rows, Scores, Terms
-from iconstudio.library.words import query, symbols
+from iconstudio.library.words import negation, query, symbols
 from iconstudio.library.words.decency import MEANT, is_insult, is_rude, is_unkind
 from iconstudio.library.words.inflections import qualities
-from iconstudio.library.words.naming import is_negated
+from iconstudio.library.words.naming import is_negated, take_apart
 from iconstudio.library.words.nearness import nearest
 from iconstudio.library.words.query import Style
 from iconstudio.library.words.usage import BRANDS
@@ -74,8 +74,9 @@ class Lookup:
         if answer.left_out or not (asked and style.others) or style.solid is not None:
             return ()
         things = (icon for icon, score in answer.scores.items() if score <= ITSELF)
-        names = self.identifiers(things).values()
-        return () if any(style.distance(name) <= 1 for name in names) else asked
+        names = (one.partition(":")[2] for one in self.identifiers(things).values())
+        of_it = any(style.distance(one) <= 1 and not style.adds(take_apart(one)) for one in names)
+        return () if of_it else asked
 
     def foreign(self, keyword: str, answer: Answer) -> tuple[str, ...]:
         """Return in English what a keyword means elsewhere, if it was read as another word.
@@ -139,7 +140,7 @@ class Lookup:
             return ()
         near = nearest(words, self._terms.proposals())
         kind = (one for one in near if not is_unkind(keyword.strip(), one))
-        return tuple(filter(self._terms.plainly, dict.fromkeys((*qualities(words), *kind))))
+        return tuple(filter(self.scores, dict.fromkeys((*qualities(words), *kind))))
 
     def spelling(self, keyword: str) -> tuple[str, ...]:
         """Return the words that a keyword is a misspelling of, though few icons are called so."""
@@ -175,7 +176,7 @@ class Lookup:
         if not 0 < count < _FEWEST:
             return ()
         words = tuple(dict.fromkeys(query.plain(keyword).split()))[:_MOST]
-        told = filter(query.tells, words)
+        told = filter(query.tells, negation.without(words))
         found = tuple(word for word in told if len(self.plainly(word)) >= _MORE)
         return found if len(found) > 1 else ()
 

@@ -1,6 +1,7 @@
 """What is said of how a keyword was read, and of what is near it."""
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Set
 
 from iconstudio.library.phrases import Answer
 from iconstudio.library.words import query, symbols
@@ -15,6 +16,7 @@ FORBIDDING = "Signs of what is forbidden, or switched off, are left out."
 FLAGS = "Flags of countries are left out: in one colour, they are not told apart."
 NO_SIGNS = "the collection has hardly any signs of what is forbidden, or switched off."
 ALL_WORDS = "No icon has all of these words"
+_IDENTIFIER = re.compile(r"([a-z0-9]+(?:-[a-z0-9]+)*):[a-z0-9]+(?:-[a-z0-9]+)*")
 _LONGEST = 60
 """Most characters of a keyword that a message repeats."""
 
@@ -33,6 +35,19 @@ def shortened(text: str) -> str:
 def hint(near: tuple[str, ...]) -> str:
     """Return what else may have been meant, if anything, after a blank."""
     return f" Did you mean {', '.join(near)}?" if near else ""
+
+
+def all_excluded(keyword: str) -> str:
+    """Return that all icons of a keyword are left out."""
+    return f"Every icon for {said(keyword)} is excluded. Exclude fewer."
+
+
+def no_set(identifier: str, sets: Set[str]) -> str:
+    """Return that none of the ``sets`` is that of an identifier; empty if one is, or it is none."""
+    found = _IDENTIFIER.fullmatch(identifier.strip())
+    if found is None or found[1] in sets:
+        return ""
+    return f"The collection has no set “{shortened(found[1])}”: icons of other sets are shown."
 
 
 def remark(

@@ -8,12 +8,11 @@ from dataclasses import dataclass, field, replace
 
 from iconstudio.library.spellings import Spellings, Words
 from iconstudio.library.terms import NEVER, Scores, Terms
-from iconstudio.library.words import query
+from iconstudio.library.words import negation, query
 from iconstudio.library.words.decency import is_insult
 from iconstudio.library.words.naming import is_negated, take_apart, without_number
 from iconstudio.library.words.readings import COMPOUND
 from iconstudio.library.words.relations import BROADER
-from iconstudio.library.words.usage import CROSSED_OUT
 from iconstudio.library.words.vocabulary import ATTRIBUTES, PEOPLE, PREPOSITIONS, STYLES
 
 _LONGEST = 3
@@ -93,17 +92,16 @@ class Phrases:
         """Return words that few of the best icons are called by, with what the others are."""
         typed, best = " ".join(words), min(found.values())
         first = {icon for icon, score in found.items() if score == best}
-        formal = query.spelt_out(words)
-        if formal != words and first.isdisjoint(self._together(words)):
+        formal, own = query.spelt_out(words), self._terms.named(typed)
+        if formal != words and first.isdisjoint(self._together(words) if len(words) > 1 else own):
             return ((typed, " ".join(formal)),)
-        own = self._terms.named(typed)
         if 2 * len(first & own) >= len(first):
             return ()
         if best >= BROADER and not own:
             return tuple((typed, term) for term in self._terms.broader(typed)[:1])
-        same = self._terms.same(typed)
+        same = (*self._terms.same(typed), *([" ".join(formal)] if formal != words else ()))
         name = max(same, key=lambda term: len(first & self._terms.named(term)), default="")
-        return ((typed, name),) if first & self._terms.named(name) else ()
+        return ((typed, name),) if name and first & self._terms.named(name) else ()
 
     def read_as(self, words: Words) -> tuple[tuple[str, str], ...]:
         """Return those of several words that are surely misspelt, each with the right one."""
@@ -189,6 +187,8 @@ class Phrases:
             return _leaving(set(words).difference(told), words, self.answer(told))
         if len(words) == 1:
             return Answer(self._parted(words[0]))
+        if (thing := negation.without(words)) != words:
+            return _leaving(set(words).difference(thing), words, self.answer(thing))
         return self._activity(words) or self._head(words) or self._without_attribute(words)
 
     def _without_style(self, words: Words, core: Words) -> Answer:
@@ -214,11 +214,10 @@ class Phrases:
     def _without_attribute(self, words: Words) -> Answer:
         """Return the things of the words before one for a view, say: a swing set is swings.
 
-        Or before one that says that they are switched off, where none is; or that names nothing by
-        itself: *eco friendly* tells of what is eco.
+        Or before one that names nothing by itself: *eco friendly* tells of what is eco.
         """
         last = words[-1]
-        only_says_how = last in ATTRIBUTES or last in CROSSED_OUT
+        only_says_how = last in ATTRIBUTES
         if not only_says_how and not is_negated(words[:-1]):
             only_says_how = bool(self._terms.named(last)) and not self._leads(last)
         if only_says_how and not self._terms.is_known(" ".join(words)):

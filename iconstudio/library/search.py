@@ -60,15 +60,18 @@ def nearest_style(
     said: NDArray[np.int64],
     seen: NDArray[np.int64],
     strange: NDArray[np.int64],
+    adds: NDArray[np.bool_],
 ) -> NDArray[np.int64]:
     """Return ``icons`` in the same order but those of the nearest style first.
 
     How far each is from it, its name has ``said``; where that is ``SILENT``, it is ``seen``.
     Of equals, the less ``strange`` names come first: a heart before a cracked one, or several. What
-    is no drawing of the thing itself stays behind what is, whatever its style.
+    is no drawing of the thing itself stays behind what is, whatever its style; and what ``adds``
+    others to it, behind what may be of the style: a rounded star is no moon with rounded stars.
     """
     distances = np.where(said == SILENT, seen, said)
-    return icons[np.lexsort((said, strange, scores, distances, scores > ITSELF))]
+    far = 2 * distances + 3 * adds
+    return icons[np.lexsort((said, strange, scores, far, scores > ITSELF))]
 
 
 def seen_style(blackness: NDArray[np.uint8], solid: bool | None) -> NDArray[np.int64]:

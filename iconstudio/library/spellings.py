@@ -4,12 +4,12 @@ from collections.abc import Iterator
 from itertools import chain, islice, product
 
 from iconstudio.library.terms import Terms
-from iconstudio.library.words import query, symbols
+from iconstudio.library.words import negation, query, symbols
 from iconstudio.library.words.decency import is_rude, is_unkind
 from iconstudio.library.words.inflections import verbs
 from iconstudio.library.words.nearness import is_surely, nearest
 from iconstudio.library.words.regional import other_spellings
-from iconstudio.library.words.usage import ALONE, CROSSED_OUT, FORBIDDEN, INFORMAL
+from iconstudio.library.words.usage import INFORMAL
 from iconstudio.library.words.vocabulary import FAMILIAR
 
 _SHORT = 4
@@ -56,15 +56,8 @@ class Spellings:
     @staticmethod
     def same(words: Words) -> Iterator[Words]:
         """Yield what names of icons say for words that mean a thing switched off, or alone."""
-        if meant := ALONE.get("".join(words), ()):
-            yield from (tuple(one.split()) for one in meant)
-        elif 1 < len(words) <= _SHORT:
-            if words[0] in FORBIDDEN:
-                yield ("".join((*words[1:], "free")),)
-            for place, word in enumerate(words):
-                signs = CROSSED_OUT if place else CROSSED_OUT | FORBIDDEN
-                for sign in signs.get(word, ()):
-                    yield (*words[:place], *sign.split(), *words[place + 1 :])
+        if len(words) <= _SHORT:
+            yield from negation.drawn_as(words)
 
     def corrected(self, words: Words) -> list[dict[str, str]]:
         """Return what the misspelt ones of several words may stand for, the likeliest first."""

@@ -13,7 +13,7 @@ from iconstudio.library.words.inflections import is_irregular, singulars
 from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.readings import COMPOUND, EXACT, MENTION, POSED
 from iconstudio.library.words.relations import BESIDE, BROADER, BROADEST, FORM, KIND, SAME, SPELLING
-from iconstudio.library.words.usage import OTHER_IN_PLURAL
+from iconstudio.library.words.usage import FEELINGS, OTHER_IN_PLURAL, UNDRAWN
 from iconstudio.library.words.vocabulary import ATTRIBUTES
 
 Rows = Callable[[str, Sequence[Any]], list[tuple[Any, ...]]]
@@ -200,7 +200,8 @@ class Terms:
         What has a number in it names one of several drawings: *electricity2x*.
         """
         ask = "SELECT word FROM proposal WHERE word NOT GLOB '*[0-9]*'"
-        return [row[0] for row in self._rows(ask, ())]
+        named = (row[0] for row in self._rows(ask, ()))
+        return list(dict.fromkeys((*named, *UNDRAWN, *FEELINGS)))
 
     def identifiers(self, icons: Iterable[int]) -> dict[int, str]:
         """Return the identifiers of icons."""

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import Any, Protocol, Self, TypeVar
 
+from iconstudio.inputs.together import quoted_list
 from iconstudio.model import Axis, Edit, IconstudioError, Sketch
 from iconstudio.workflows.pages import Document, Page
 from iconstudio.workflows.workflow import Find
@@ -68,6 +69,15 @@ def with_known_icons(request: _Request, find: Find) -> tuple[_Request, tuple[str
         known[field] = frozenset(found)
     request = replace(request, exclude=known["exclude"], include=known["include"])
     return request, tuple(remarks)
+
+
+def contradiction(request: Criteria) -> str:
+    """Return a sentence about icons that are both left out and brought in; empty if none are."""
+    both = sorted(request.exclude & request.include)
+    if not both:
+        return ""
+    are, they_are = ("is", "it is") if len(both) == 1 else ("are", "they are")
+    return f'{quoted_list(both)} {are} in "exclude" and in "include": {they_are} left out.'
 
 
 def set_keyword(document: CriteriaDocument, keyword: str, gesture: object = None) -> None:

@@ -180,6 +180,19 @@ def test_what_a_file_leaves_out_in_vain_is_told(tmp_path, capsys):
             assert ('"include" brings in nothing by “nope:nope”' in told) == (remark in told)
 
 
+def test_an_icon_that_is_left_out_and_brought_in_is_told(tmp_path, capsys):
+    file = write(tmp_path, {"polygon": SQUARE, "exclude": ["mdi:dog", "mdi:cat"]})
+    for names, said in (
+        (("mdi:cow",), ""),
+        (("mdi-dog",), '“mdi:dog” is in "exclude" and in "include": it is left out.'),
+        (("mdi:dog", "mdi:cat"), "“mdi:cat” and “mdi:dog” are in"),
+    ):
+        words = [word for name in names for word in ("--include", name)]
+        run(["model", file, "--out", str(tmp_path / "out"), *words], NoWindow())
+        told = capsys.readouterr().err
+        assert said in told and ('in "exclude" and in "include"' in told) == bool(said)
+
+
 def test_several_words_need_no_quotation_marks(capsys):
     assert run(["search", "ice cream"], NoWindow()) == 0
     listed = capsys.readouterr().out

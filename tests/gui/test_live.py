@@ -4,13 +4,16 @@ is waited for is set to for ever, or to nothing, and what a run has shown is let
 import threading
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from fake_session import RECOMMENDED, FakeSession, exemplar
 from hands import SQUARE, click, drag, press, threads_alive, trace, type_keyword, workspaces
-from PySide6.QtCore import QSettings, Qt
+from PySide6.QtCore import QMargins, QSettings, Qt
+from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 
 from iconstudio.gui.gallery.cell import CellState
+from iconstudio.gui.gallery.paling import PALE
 from iconstudio.gui.pictures.picture import picture_of
 from iconstudio.gui.preferences import preferred
 from iconstudio.gui.window.main_window import MainWindow
@@ -95,6 +98,20 @@ def move(place, number=0, by=8.0):
     """Some edits, of which all but the first wait: drag a point."""
     x, y = place.document.page.vertices[number]
     drag(place, (x, y), (x + by, y + by))
+
+
+def age(cells):
+    """Let results that are out of date have stood for long enough to turn pale."""
+    for cell in cells:
+        if cell.paling.timer.isActive():
+            cell.paling.timer.timeout.emit()
+
+
+def darkest(widget):
+    """Return how light the darkest pixel of a widget is, its corners apart."""
+    image = widget.grab(widget.rect().marginsRemoved(QMargins(16, 16, 16, 16))).toImage()
+    grey = image.convertToFormat(QImage.Format.Format_Grayscale8)
+    return int(np.frombuffer(grey.constBits(), np.uint8).min())
 
 
 def strip(place):
@@ -264,7 +281,7 @@ def in_sight(place):
     """The results, those that are stale apart, and what stands beside them."""
     results = place.browser.results
     cells = [results.cell(*key) for key in states(place)]
-    assert all(not cell._stale and cell._paling.opacity == 1 for cell in cells)
+    assert all(not cell._stale and cell.paling.opacity == 1 for cell in cells)
     return results.pictures, states(place), [cell.recommended for cell in cells]
 
 
@@ -398,12 +415,51 @@ def test_results_of_a_run_that_a_misspelt_word_ends_are_pale(drawn, qtbot, sessi
     drawn.keyword_panel.field.selectAll()
     type_keyword(drawn, "zzebra")
     qtbot.waitUntil(lambda: not drawn.runner.running)
-    assert all(drawn.browser.results.cell(*place)._stale for place in states(drawn))
+    cells = [drawn.browser.results.cell(*place) for place in states(drawn)]
+    assert all("before the last change" in cell.accessibleName() for cell in cells)
+    age(cells)
+    assert all(cell.paling.opacity == PALE for cell in cells)
     drawn.keyword_panel.field.selectAll()
     type_keyword(drawn, "motorcycle")
     session.gate.release(100)
     rest(drawn, qtbot, session)
-    assert not any(drawn.browser.results.cell(*place)._stale for place in states(drawn))
+    in_sight(drawn)
+
+
+def test_the_large_picture_is_as_pale_as_the_picked_result(drawn, qtbot, session):
+    large, results = drawn.browser.detail.large, drawn.browser.results
+    cell, other = results.picked_cell, results.cell("light", LAMBDAS[1])
+    fresh = darkest(large)
+    move(drawn)
+    qtbot.waitUntil(begun(session, 2))
+    assert darkest(large) == fresh, "one that is soon replaced does not flicker"
+    age([cell])
+    pale = darkest(large)
+    assert pale > fresh + 100
+    drawn.keyword_panel.field.selectAll()
+    type_keyword(drawn, "zzebra")
+    qtbot.waitUntil(lambda: not drawn.runner.running)
+    assert darkest(large) == pale
+    age([other])
+    pick(drawn, "light", LAMBDAS[1])
+    assert darkest(large) == pale, "another one is out of date, too"
+    drawn.keyword_panel.field.selectAll()
+    type_keyword(drawn, "motorcycle")
+    session.gate.release(100)
+    rest(drawn, qtbot, session)
+    assert darkest(large) == fresh
+
+
+def test_with_live_mode_off_results_of_something_else_are_pale(drawn, qtbot, session):
+    drawn.actions_by_name["live"].trigger()
+    large, cell = drawn.browser.detail.large, drawn.browser.results.picked_cell
+    fresh = large.grab().toImage()
+    move(drawn)
+    age([cell])
+    assert large.paling.opacity == cell.paling.opacity == PALE
+    drawn.document.undo_stack.undo()
+    assert large.paling.opacity == cell.paling.opacity == 1
+    assert large.grab().toImage() == fresh
 
 
 def test_a_page_that_becomes_incomplete_stops_the_run_and_keeps_what_is_there(
@@ -435,7 +491,7 @@ def test_old_results_stay_until_they_are_replaced(drawn, qtbot, session):
     assert "before the last change" in cell.accessibleName()
     assert cell.isEnabled()
     assert cell.grab().toImage() == fresh, "one that is soon replaced does not flicker"
-    cell._paling.timer.timeout.emit()
+    cell.paling.timer.timeout.emit()
     assert cell.grab().toImage() != fresh
     session.gate.release(2)
     qtbot.waitUntil(lambda: cell.state is CellState.READY)

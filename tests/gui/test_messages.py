@@ -77,3 +77,18 @@ def test_what_a_file_says_in_vain_is_told(window, qtbot, tmp_path, title, work, 
     assert ('"include" brings in nothing by “c:d”' in told) == (title != "Montage")
     assert "cross" not in told
     assert "frame" not in told
+
+
+@pytest.mark.parametrize(
+    ("title", "work"),
+    [("Sketch", {"polygon": [[0, 0], [9, 0], [9, 9]]}), ("Edit", {"icon": "shapes:ring-0"})],
+)
+def test_an_icon_that_a_file_leaves_out_and_brings_in_is_told(window, qtbot, tmp_path, title, work):
+    place = go_to(window, title)
+    path = tmp_path / "work.json"
+    both = {"exclude": ["shapes:cross-2"], "include": ["shapes:cross-2", "shapes:frame-1"]}
+    path.write_text(json.dumps(work | both))
+    place.opener.open_work(str(path))
+    qtbot.waitUntil(lambda: place.page != place.blank)
+    said = '“shapes:cross-2” is in "exclude" and in "include": it is left out.'
+    assert window.pane.status.label.text().endswith(said)

@@ -316,7 +316,7 @@ def test_icons_are_found_by_their_names_of_two_words(bundled, names, between):
 def test_results_of_the_bundled_collection_differ_and_suit_every_style(bundled):
     found = bundled.search("house")
     assert len(found) == 200 == len({one.id for one in found})
-    numbers = bundled._numbers([one.id for one in found])
+    numbers = bundled._identifiers.numbers([one.id for one in found])
     cells = bundled._cells[numbers]
     for i in range(1, len(cells)):
         assert unlikeness(cells[[i]], cells[:i]).min() >= search.ALIKE

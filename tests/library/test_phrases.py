@@ -67,7 +67,6 @@ def test_what_only_an_alias_calls_so_stands_behind(world):
 @pytest.mark.parametrize(
     ("keyword", "told"),
     [
-        ("no smoking dog house", "dog house"),
         ("man with lamp", "man, lamp"),
         ("speech bubble calendar", "speech bubble, calendar"),
         ("lamp3 dog house", "lamp3, dog house"),
@@ -96,9 +95,7 @@ def test_a_misspelt_word_that_is_left_out_is_told_as_typed(bundled):
     assert bundled.remark("seperate lines") == told
 
 
-@pytest.mark.parametrize(
-    "keyword", ["feng shui", "lactose free", "do not disturb", "umbrela stand"]
-)
+@pytest.mark.parametrize("keyword", ["feng shui", "lactose free", "umbrela stand"])
 def test_words_are_not_read_as_others_that_are_little_like_them(bundled, keyword):
     with pytest.raises(IconstudioError):
         bundled.search(keyword)

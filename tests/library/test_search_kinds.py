@@ -81,7 +81,7 @@ def test_the_ink_tells_the_style_of_drawings_whose_names_do_not(bundled, keyword
     def ink(style):
         found = [one.id for one in bundled.search(f"{style} {keyword}")[:20]]
         silent = (one for one in found if query.style((style, keyword)).distance(one) == 3)
-        return bundled._blackness[bundled._numbers(silent)]
+        return bundled._blackness[bundled._identifiers.numbers(silent)]
 
     assert all(ink("solid") >= 41) and all(ink("outline") < 60)
 
@@ -96,7 +96,7 @@ def test_dark_is_a_style_unless_it_is_a_thing_of_the_night(bundled):
 def test_bold_and_thin_are_told_by_the_ink_where_names_are_silent(bundled, keyword):
     def ink(style):
         found = [one.id for one in bundled.search(f"{style} {keyword}")[:15]]
-        return bundled._blackness[bundled._numbers(found)].mean()
+        return bundled._blackness[bundled._identifiers.numbers(found)].mean()
 
     assert ink("bold") > 50 and ink("thin") < 35
 
@@ -104,6 +104,27 @@ def test_bold_and_thin_are_told_by_the_ink_where_names_are_silent(bundled, keywo
 @pytest.mark.parametrize(("keyword", "first"), [("solid heart", "heart-solid")])
 def test_of_a_style_the_thing_alone_comes_first(bundled, keyword, first):
     assert ids(bundled, keyword)[0] == first
+
+
+@pytest.mark.parametrize(
+    ("keyword", "never"),
+    [
+        ("rounded star", "moon"),
+        ("rounded camera", "control|mobile"),
+        ("sharp phone", "contact"),
+        ("sharp cloud", "moon|rain"),
+        ("duotone sun", "thermometer|cloud"),
+        ("bold heart", "arrow"),
+        ("rounded key", "action|keyboard"),
+    ],
+)
+def test_of_a_style_no_other_thing_comes_before_the_thing_alone(bundled, keyword, never):
+    assert not re.search(never, " ".join(ids(bundled, keyword)[:8]))
+
+
+def test_a_style_that_only_other_things_have_is_told(bundled):
+    assert "called “rounded”" in bundled.remark("rounded camera")
+    assert bundled.remark("rounded star") == ""
 
 
 def test_an_unknown_icon_whose_name_is_a_word_is_told_by_icons_of_the_word(world):
@@ -424,6 +445,58 @@ def test_of_an_unknown_icon_only_what_is_near_is_told(bundled, identifier, told)
     assert "mouth" not in str(error.value) and "pizza" not in str(error.value)
 
 
+@pytest.mark.parametrize(
+    ("typed", "told"),
+    [
+        ("heroicons:trsh", "Did you mean heroicons:trash?"),
+        ("carbon:settigns", "Did you mean carbon:settings"),
+        ("ph:hous", "Did you mean ph:house"),
+        ("lucide:cammera", "Did you mean lucide:"),
+    ],
+)
+def test_of_an_unknown_icon_that_is_looked_for_near_ones_of_its_set_are_told(bundled, typed, told):
+    with pytest.raises(IconstudioError) as error:
+        bundled.search(typed)
+    assert told in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("typed", "told"),
+    [
+        ("mdi:acount", "The collection has no icon 'mdi:acount'. Did you mean mdi:account?"),
+        ("mdi-home", "The collection has no icon 'mdi:home'. Of icons that look alike it has one."),
+        ("tabler:acess-point", "Did you mean tabler:access-point? “acess” was read as “access”."),
+        ("ion:camera", "The collection has no icon 'ion:camera'. Those of other sets are shown."),
+        ("twemoji:cat", "The collection has no set “twemoji”: icons of other sets are shown."),
+        ("fluent-emoji:cat", "The collection has no set “fluent-emoji”: icons of other sets"),
+        ("gis:map", ""),
+        ("solar panel", ""),
+        ("fas fa-house", ""),
+    ],
+)
+def test_beside_what_an_unknown_icon_finds_it_is_told_that_it_is_not_there(bundled, typed, told):
+    assert bundled.search(typed)
+    remark = bundled.remark(typed)
+    assert told in remark and bool(remark) == bool(told)
+    assert remark.count("Did you mean") <= 1
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("abbrechen", "cancel"),
+        ("zurück", "back"),
+        ("siguiente", "next"),
+        ("imprimer", "print"),
+        ("aiuto", "help"),
+        ("キャンセル", "cancel"),
+    ],
+)
+def test_words_of_buttons_elsewhere_are_told_in_english(bundled, typed, meant):
+    with pytest.raises(IconstudioError, match=rf"Did you mean (\w+, )*{meant}\b"):
+        bundled.search(typed)
+
+
 def test_of_an_unknown_icon_without_a_like_it_is_told_what_to_do(bundled):
     with pytest.raises(IconstudioError, match=r"no icon 'qqq:qqzzq'\. Search for what it shows"):
         bundled.get("qqq:qqzzq")
@@ -442,7 +515,7 @@ def test_of_an_unknown_icon_without_a_like_it_is_told_what_to_do(bundled):
         ("sadness", "sad", "sharpness"),
         ("happiness", "happy", "harness"),
         ("hapiness", "", "harness"),
-        ("loneliness", "", "Did you mean"),
+        ("loneliness", "lonely", "zzz"),
         (".net", "", "Did you mean"),
         ("ASP.NET", "", "Did you mean"),
         ("Fu\u00dfball", "soccer ball", "zzz"),

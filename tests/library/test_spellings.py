@@ -1,5 +1,7 @@
 """Search by the words that people type: short, familiar, with a hyphen, joined or parted."""
 
+import re
+
 import pytest
 from small_world import icon_set, shape
 
@@ -75,6 +77,54 @@ def test_every_informal_word_finds_what_it_stands_for(bundled):
         or not wanted <= set(bundled._lookup.scores(word))
     ]
     assert missed == []
+
+
+@pytest.mark.parametrize(
+    "feeling",
+    [
+        "angry", "bored", "in love", "sleepy", "nervous", "scared", "tired", "embarrassed",
+        "furious", "stressed", "joyful", "disgusted", "hungry", "melancholy", "shocked",
+    ],
+)  # fmt: skip
+def test_how_people_feel_finds_faces(bundled, feeling):
+    names = ids(bundled, feeling)[:4]
+    faces = re.compile("face|angry|tired|flushed|happy|sad|heart-eyes|in-love|smil|eye-heart")
+    assert sum(faces.search(name) is not None for name in names) >= min(3, len(names))
+
+
+@pytest.mark.parametrize(
+    ("misspelt", "right"),
+    [
+        ("accomodation", "accommodation"),
+        ("calender", "calendar"),
+        ("recieve", "receive"),
+        ("adress", "address"),
+        ("seperate", "separate"),
+        ("enviroment", "environment"),
+        ("comittee", "committee"),
+        ("embarased", "embarrassed"),
+        ("exausted", "exhausted"),
+        ("accessable", "accessible"),
+        ("rythm", "rhythm"),
+    ],
+)
+def test_a_frequent_mistake_is_told(bundled, misspelt, right):
+    try:
+        told = bundled.remark(misspelt) if bundled.search(misspelt) else ""
+    except IconstudioError as error:
+        told = str(error)
+    assert f"Did you mean {right}" in told
+
+
+def test_a_word_of_three_letters_is_no_hint_for_a_long_one(bundled):
+    with pytest.raises(IconstudioError) as error:
+        bundled.search("theif")
+    assert "Did you mean" not in str(error.value)
+
+
+def test_a_word_is_read_as_one_that_is_named(bundled):
+    assert "“”" not in bundled.remark("scard")
+    assert bundled.remark("max") == "“max” was read as “maximize”."
 
 
 def test_every_word_that_has_a_stand_in_finds_it(bundled):
@@ -184,9 +234,44 @@ def test_what_is_forbidden_or_missing_is_found_as_its_names_say_it(opened, typed
     )
 
 
-@pytest.mark.parametrize("typed", ["no parking", "no entry", "⛔", "🚷"])
-def test_of_what_only_forbids_it_is_told_that_there_is_none(bundled, typed):
-    with pytest.raises(IconstudioError, match="forbidden, or switched off, are left out"):
+@pytest.mark.parametrize(
+    ("typed", "left_out"),
+    [
+        ("no parking", "“no” was"),
+        ("🚷", "“no” was"),
+        ("wifi not available", "“not” and “available” were"),
+        ("turn off wifi", "“turn” and “off” were"),
+    ],
+)
+def test_however_it_is_said_that_there_is_none_the_thing_is_shown_and_that_is_told(
+    bundled, typed, left_out
+):
+    assert bundled.search(typed)
+    assert bundled.remark(typed) == f"{left_out} left out: {messages.NO_SIGNS}"
+
+
+@pytest.mark.parametrize(
+    ("typed", "plainly"),
+    [
+        ("no wifi", "wifi off"),
+        ("without wi-fi", "wifi off"),
+        ("camera not allowed", "camera off"),
+        ("crossed out bell", "bell slash"),
+        ("user not found", "user off"),
+        ("no sound", "mute"),
+        ("no internet", "offline"),
+        ("⛔", "not allowed"),
+        ("access denied", "forbidden"),
+        ("hide password", "hidden"),
+    ],
+)
+def test_however_it_is_said_the_same_is_shown_first(bundled, typed, plainly):
+    assert ids(bundled, typed)[:4] == ids(bundled, plainly)[:4]
+
+
+@pytest.mark.parametrize("typed", ["crossed swords", "crossed fingers"])
+def test_what_only_sounds_like_no_is_none(bundled, typed):
+    with pytest.raises(IconstudioError):
         bundled.search(typed)
 
 
@@ -207,6 +292,9 @@ def test_of_what_only_forbids_it_is_told_that_there_is_none(bundled, typed):
         ("volume off", ("volume-x",)),
         ("no phone", ("phone-x", "phone-cross")),
         ("🚭", ("smoke-free",)),
+        ("no location", ("location-x", "location-cross")),
+        ("do not disturb", ("do-disturb-on",)),
+        ("no results", ("search-x",)),
         ("sign up", ("user-plus", "user-add", "account-plus", "person-add")),
     ],
 )

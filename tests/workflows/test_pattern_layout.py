@@ -66,6 +66,29 @@ def test_shapes_of_elements_are_those_of_the_picture():
         assert ((drawn > 0) == (labels == number)).mean() > 0.998
 
 
+@pytest.mark.parametrize(
+    ("motifs", "work", "said"),
+    [
+        ([disc(90, 90)], {}, ""),
+        ([disc(90, 90, colour="#ffffff")], {}, "Nothing of the pattern can be seen: it has"),
+        ([disc(90, 90, colour="#fefefe")], {}, "Nothing of the pattern can be seen"),
+        ([disc(90, 90, colour="#ffffff")], {"ground": "#202020"}, ""),
+        ([disc(90, 90, colour="#202020")] * 2, {"ground": "#202020"}, "Nothing of the pattern"),
+        ([disc(90, 90, colour="#ffffff")], {"ground": ""}, ""),
+        ([disc(90, 90), disc(90, 90, 20, colour="#ffffff")], {}, ""),
+        ([disc(90, 90), disc(90, 90, 20)], {}, "1 of the 2 icons cannot be seen: it has the"),
+        (
+            [disc(90, 90), *(disc(x, 200, colour="#ffffff") for x in (60, 180))],
+            {},
+            "2 of the 3 icons cannot be seen: they have the colour of what lies behind them.",
+        ),
+    ],
+)
+def test_icons_of_the_colour_of_what_lies_behind_them_are_told(motifs, work, said):
+    remark = layout(*motifs, **work).remark
+    assert remark.startswith(said) and bool(remark) == bool(said)
+
+
 def test_the_denser_the_nearer_and_none_is_cut():
     motifs = [disc(x, y, 60) for x in (32, 128, 224) for y in (32, 128, 224)]
     areas = []

@@ -44,8 +44,9 @@ class ResultsBrowser(QSplitter):
         self.setChildrenCollapsible(False)
         self.setStretchFactor(0, 3)
         self.setStretchFactor(1, 1)
-        results, detail = self.results, self.detail
-        results.picked.connect(detail.show_picture)
+        results = self.results
+        results.picked.connect(self._show)
+        results.aged.connect(self._show_age)
         results.chosen.connect(self._choose)
         setting.changed.connect(self._renew_tidiness)
 
@@ -91,6 +92,15 @@ class ResultsBrowser(QSplitter):
         self._settled = self._settled or (whole and best is not None)
         if keep and self.results.finished:
             self.kept.emit(best or self.detail.picture)
+
+    def _show(self, picture: Picture | None) -> None:
+        self.detail.show_picture(picture)
+        self._show_age()
+
+    def _show_age(self) -> None:
+        """Let the large picture be as pale as the same one in the grid."""
+        if (cell := self.results.picked_cell) is not None:
+            self.detail.large.paling.match(cell.paling)
 
     def _renew_tidiness(self) -> None:
         self._recommended = {style: shown(one) for style, one in self._recommended.items()}

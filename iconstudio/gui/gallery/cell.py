@@ -8,7 +8,7 @@ from PySide6.QtGui import QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy
 
 from iconstudio.gui.gallery.display import setting
-from iconstudio.gui.gallery.paling import PALE, Paling
+from iconstudio.gui.gallery.paling import Paling
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.painting import RADIUS, fill_rounded, paint_frame, smooth_painter
@@ -44,8 +44,8 @@ class ResultCell(QAbstractButton):
         self.state = CellState.BLANK
         self._name = name
         self.recommended = ""
-        self._paling = Paling(self)
-        self._paling.changed.connect(self.update)
+        self.paling = Paling(self)
+        self.paling.changed.connect(self.update)
         self._stale = False
         self.setCheckable(True)
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)  # it is painted anew when it is pointed at
@@ -105,7 +105,7 @@ class ResultCell(QAbstractButton):
                 paint_frame(painter, box, self.isChecked(), self.hasFocus(), self.underMouse())
                 target = QRectF(0, 0, side, side)
                 target.moveCenter(box.center())
-                painter.setOpacity(PALE if self._stale else self._paling.opacity)
+                painter.setOpacity(self.paling.opacity)
                 self.picture.paint(painter, target, scheme.color("text"), setting.value)
                 if self.recommended:
                     self._paint_mark(painter, scheme, target)
@@ -115,7 +115,7 @@ class ResultCell(QAbstractButton):
     def _turn(self, state: CellState) -> None:
         """Enter a state; say in words what it is."""
         self.state = state
-        self._paling.set_stale(state is CellState.OLD)
+        self.paling.set_stale(self._stale or state is CellState.OLD)
         remark = _REMARKS.get(CellState.OLD if self._stale and self.picture else state)
         first = "recommended" if self.recommended else ""
         symmetric = "symmetric" if self._is_symmetric else ""

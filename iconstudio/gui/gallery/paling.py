@@ -43,6 +43,10 @@ class Paling(QObject):
             self.timer.stop()
             self._turn(False)
 
+    def match(self, other: "Paling") -> None:
+        """Be as pale as another one is now."""
+        self._turn(other._pale)
+
     def renew(self) -> None:
         """Another result is there: if it is out of date, too, it stands for as long."""
         self._turn(False)

@@ -104,12 +104,15 @@ class ResultsPanel(QFrame):
         The Picture that the user looks at, or None.
     chosen(Picture)
         The user himself picked this one.
+    aged()
+        A result turned pale, as it is of something else than what is there now, or back.
     asked(Picture, QPoint)
         The user wants to know, at this place of the screen, what can be done with a result.
     """
 
     picked = Signal(object)
     chosen = Signal(object)
+    aged = Signal()
     asked = Signal(object, QPoint)
 
     def __init__(self, welcome: str, nearer: str) -> None:
@@ -159,6 +162,11 @@ class ResultsPanel(QFrame):
     def focus(self) -> tuple[str, float] | None:
         """Style and lambda_S of the picked result."""
         return next((key for key, cell in self.grid.cells.items() if cell.isChecked()), None)
+
+    @property
+    def picked_cell(self) -> ResultCell | None:
+        """The cell of the picked result."""
+        return None if self.focus is None else self.cell(*self.focus)
 
     def cell(self, style: str, lambda_s: float) -> ResultCell:
         """Return the cell of a style and a lambda_S."""
@@ -285,6 +293,7 @@ class ResultsPanel(QFrame):
             grid.cells[key].setChecked(key == focus)
         for cell in grid.cells.values():
             cell.customContextMenuRequested.connect(self._ask)
+            cell.paling.changed.connect(self.aged)
         grid.group.buttonClicked.connect(self._pick)
         self._place.replaceWidget(before, grid)
         before.hide()

@@ -36,7 +36,8 @@ _CLASSES = re.compile(r"^([a-z]{2,}?)[a-z]?((?:-[a-z]+)*)\s+(?=\1[a-z]?-\w)|^fea
 _SETS = (
     "bi", "bx[sl]?", "ci", "cil", "codicon", "dashicons(?:-admin)?", "ei", "ep", "eva",
     "fa[srlbdt]?", "fe", "feather", "fi(?:-[bstr][rs])?", "flaticon", "fontello", "gg",
-    "glyphicons?", "heroicons", "ic", "icofont", "iconoir", "ion(?:-(?:ios|md|logo))?", "ki",
+    "glyphicons?", "heroicons?(?:-[osm])?", "ic", "icofont", "iconoir", "ion(?:-(?:ios|md|logo))?",
+    "ki",
     "la[srb]?", "lni", "lnr", "lucide", "mdi", "nf(?:-[a-z]+)?", "octicon", "oi", "ph", "pi", "ri",
     "tabler", "themify", "ti", "typcn", "ui[lmstw]", "zmdi",
 )  # fmt: skip

@@ -50,7 +50,12 @@ def nearest(keyword: str, words: Sequence[str], count: int = 3) -> tuple[str, ..
             alike[word] = one_wrong
         elif matcher.quick_ratio() >= least and (ratio := matcher.ratio()) >= least:
             alike[word] = ratio
-    alike = {word: much for word, much in alike.items() if _are_alike_within(word, keyword)}
+    alike = {
+        word: much
+        for word, much in alike.items()
+        if _are_alike_within(word, keyword)
+        and (min(len(word), length) >= _SHORT or is_one_mistake(word, keyword))
+    }
     best = max(alike.values(), default=0)
     close = [word for word in alike if alike[word] >= best - _BEHIND]
     close.sort(

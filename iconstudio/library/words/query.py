@@ -15,6 +15,7 @@ from iconstudio.library.words.inflections import singulars, verbs
 from iconstudio.library.words.naming import Name, take_apart
 from iconstudio.library.words.usage import INFORMAL
 from iconstudio.library.words.vocabulary import (
+    ATTRIBUTES,
     HEAVY,
     LINES,
     PREPOSITIONS,
@@ -77,6 +78,12 @@ def plain(keyword: str) -> str:
     for written, read in _SIGNS:
         bare = re.sub(written, read, bare)
     return " ".join(re.findall(r"[^\W_]+", bare))
+
+
+def name(identifier: str) -> str:
+    """Return what an icon is called in its set: *home* of *mdi:home*."""
+    bare = of_one(identifier).rpartition(":")[2]
+    return bare if plain(bare) else identifier
 
 
 def _joining(character: str) -> str:
@@ -175,6 +182,11 @@ class Style:
     """Whether the drawing is to be solid, or else of lines; None if either will do."""
     thing: frozenset[str] = frozenset()
     """What else the keyword says."""
+
+    def adds(self, name: Name) -> bool:
+        """Whether a name says that more is drawn than the thing, however that stands or looks."""
+        more = [one for one in name.words if one not in self.thing and one not in ATTRIBUTES]
+        return len(more) > len(self.thing.difference(name.words))
 
     def strangeness(self, name: Name) -> int:
         """Return how much a name says beside the thing: more words, several of it, a variant."""

@@ -78,90 +78,104 @@ STAND_INS = _listed(
 )
 """What is taken for a thing that has no drawings, or few."""
 
-INFORMAL = _listed(
+FEELINGS = _listed(
     """
-    247: 24 hours, 24h: 24 hours, 24hr: 24 hours, abomb: atomic bomb, ac: air conditioner,
-    acct: account, addon: plugin, addr: address, admin: administrator, advert: ad,
-    aircon: air conditioner, appt: appointment, apt: apartment, autumnleaf: fallen leaf,
-    autumnleave: fallen leaf, avo: avocado, bathers: swimsuit, bauble: christmas ball,
-    bball: basketball, bday: birthday, bellybutton: navel, bestie: friend, bff: friend,
-    bickie: biscuit, bigwheel: ferris wheel, bikkie: biscuit, bio: biology, birdie: bird,
-    biz: business, bldg: building, bobsleigh: bobsled, booboo: bandage, bowwow: dog,
-    bp: blood pressure, brekkie: breakfast, brekky: breakfast, btc: bitcoin, byebye: waving hand,
-    caff: cafe, calc: calculator, cam: camera, cardi: cardigan, carouselhorse: carousel,
-    catsup: ketchup, cclamp: clamp,
-    champers: champagne, chem: chemistry, chimp: chimpanzee, chinesenewyear: firecracker,
-    choc: chocolate, choccy: chocolate, choochoo: train, chook: chicken, cig: cigarette,
-    ciggie: cigarette, ciggy: cigarette, claus: father christmas, cny: yuan, comp: computer,
-    condo: apartment,
-    config: settings, copter: helicopter, cornflakes: cereal, cossie: swimsuit, cozzie: swimsuit,
-    croc: crocodile, culdesac: dead end, cuppa: tea cup, cv: resume, daddylonglegs: spider,
-    db: database, del: delete, dev: developer, dict: dictionary, dingdong: bell, dino: dinosaur,
-    diwali: oil lamp, diy: tools, dl: download, doggo: dog, dorm: dormitory, duckie: duck,
-    ducky: duck, dunny: toilet, ebike: electric bike, ebook: e reader, ecar: electric car,
-    ecig: vape, ecigarette: vape, ekg: ecg, emt: ambulance, er: emergency,
-    escooter: electric scooter, eticket: ticket, eur: euro, ewallet: wallet, fav: favorite,
-    fave: favorite, ffwd: fast forward, fireman: firefighter, firewoman: firefighter, fishy: fish,
-    footie: football, footy: football, foto: photo, froggie: frog, froggy: frog, fwd: forward,
-    gbp: pound, gclamp: clamp, geegee: horse, gocart: go kart, gov: government, govt: government,
-    grad: graduate, grandad: grandparent, granddad: grandparent, guac: avocado,
-    gumboot: rubber boot, haha: laughing, hankie: handkerchief, hanky: handkerchief,
-    hanukkah: menorah, happynewyear: fireworks, hbomb: atomic bomb, healthworker: doctor,
-    heli: helicopter, hgv: truck,
-    hifive: high five, hivis: vest, hols: holiday, hoolahoop: hula hoop, hoover: vacuum cleaner,
-    horsey: horse, horsie: horse, hosp: hospital, hq: headquarters, hwy: highway, img: image,
-    inr: rupee, ipad: tablet, jab: syringe, jackolantern: pumpkin, jpy: yen, k9: dog, kittycat: cat,
-    lappy: laptop, lashes: eyelash, lcd: screen, loco: locomotive, lotusposition: yoga,
-    lp: vinyl record, maths: math,
-    meds: medicine, merrygoround: carousel, mgr: manager, moggie: cat, moggy: cat,
-    mozzie: mosquito, msg: message,
-    mtg: meeting, mtn: mountain, mum: mother, mushie: mushroom, nan: grandparent, nana: grandparent,
-    nanna: grandparent, newyear: fireworks, newyearseve: fireworks, notif: notification,
-    oj: orange juice, papa: father, phys: physics, pic: picture, piccy: picture, piggie: pig,
-    pinkie: little finger, pinky: little finger, prev: previous, prof: teacher, pushchair: stroller,
-    pussycat: cat, pw: password, pwd: password, qtip: cotton swab, rew: rewind, rip: gravestone,
-    roach: cockroach, roo: kangaroo, rubbish: trash, rugger: rugby, sammie: sandwich,
-    santa: father christmas, santaclaus: father christmas, sarnie: sandwich, shades: sunglasses,
-    shroom: mushroom, sneaks: sneaker, spag: spaghetti, spagbol: spaghetti, spud: potato,
-    steamyroom: sauna,
-    sub: submarine, sunnies: sunglasses, synth: synthesizer, tater: potato, tbone: steak,
-    tech: technology, tee: t shirt, teeshirt: t shirt, tel: telephone, tele: television,
-    telly: television, temp: temperature, thanksgiving: turkey, ticktacktoe: tic tac toe,
-    ticktock: clock, tjunction: junction, tnt: dynamite, togs: swimsuit, tp: toilet paper,
-    trackies: trousers, trex: tyrannosaurus, trike: tricycle, tsquare: set square,
-    tuktuk: auto rickshaw, tum: stomach, tummy: stomach, twopiece: bikini, txt: text,
-    uboat: submarine, uke: ukulele, undies: underwear, uni: university, url: link, usd: dollar,
-    ute: pickup truck, vac: vacuum cleaner, vacc: vaccine, valentineday: heart,
-    valentinesday: heart, vax: vaccine, vcr: cassette, vid: video, vino: wine, vol: volume,
-    vsign: victory hand, walkietalky: walkie talkie, wellie: rubber boot, wellington: rubber boot,
-    wellingtonboot: rubber boot, welly: rubber boot, womb: uterus, www: globe, xmas: christmas,
-    yfront: underwear
+    afraid: fearful, amazed: astonished, anger: angry, ashamed: flushed, bored: unamused,
+    boredom: unamused, cheerful: happy, content: happy, curious: thinking, delighted: happy,
+    depressed: sad, disgust: nauseated, disgusted: nauseated, drunk: woozy, embarrassed: flushed,
+    excited: star struck, exhausted: tired, fear: fearful, frustrated: persevering,
+    furious: angry, glad: happy, grumpy: angry, guilty: pensive, hungry: face savoring food,
+    ill: face with thermometer, inlove: heart eyes, joy: happy, joyful: happy, lonely: sad,
+    mad: angry, melancholy: pensive, nervous: anxious, pleased: happy, proud: happy,
+    relaxed: relieved, satisfied: happy, scared: fearful, shocked: astonished, shy: flushed,
+    sick: face with thermometer, smug: happy, stressed: anxious, suspicious: raised eyebrow,
+    thoughtful: thinking, upset: sad, unhappy: sad
     """
 )
+"""How people feel, and how names of icons call a face like that."""
+
+UNDRAWN = _listed(
+    """
+    accommodation: hotel, committee: meeting, mortgage: loan, parliament: government
+    """
+)
+"""Words for what has no drawings, and what shows the same."""
+
+INFORMAL = (
+    UNDRAWN
+    | FEELINGS
+    | _listed(
+        """
+    247: 24 hours, 24h: 24 hours, 24hr: 24 hours, abomb: atomic bomb, ac: air conditioner,
+    acct: account, addon: plugin, addr: address, admin: administrator, advert: ad,
+    aircon: air conditioner, approx: approximately equal, appt: appointment, apt: apartment,
+    attn: attention, auth: authentication, autumnleaf: fallen leaf, autumnleave: fallen leaf,
+    avg: average, avo: avocado, bathers: swimsuit, bauble: christmas ball, bball: basketball,
+    bday: birthday, bellybutton: navel, bestie: friend, bff: friend, bg: background,
+    bickie: biscuit, bigwheel: ferris wheel, bikkie: biscuit, bino: binoculars, binocs: binoculars,
+    bio: biology, birdie: bird, biz: business, bkmk: bookmark, bldg: building, bobsleigh: bobsled,
+    booboo: bandage, bowwow: dog, bp: blood pressure, brekkie: breakfast, brekky: breakfast,
+    btc: bitcoin, btn: button, byebye: waving hand, caff: cafe, cal: calendar, calc: calculator,
+    cam: camera, cardi: cardigan, carouselhorse: carousel, catsup: ketchup, cclamp: clamp,
+    cfg: settings, champers: champagne, char: character, chem: chemistry, chimp: chimpanzee,
+    chinesenewyear: firecracker, chk: check, choc: chocolate, choccy: chocolate, choochoo: train,
+    chook: chicken, cig: cigarette, ciggie: cigarette, ciggy: cigarette, claus: father christmas,
+    cmd: command, cny: yuan, col: column, comp: computer, condo: apartment, conf: settings,
+    config: settings, coord: coordinates, copter: helicopter, cornflakes: cereal, cossie: swimsuit,
+    cozzie: swimsuit, croc: crocodile, ctrl: control, culdesac: dead end, cuppa: tea cup,
+    curr: currency, cv: resume, daddylonglegs: spider, db: database, del: delete,
+    dest: destination, dev: developer, dict: dictionary, dingdong: bell, dino: dinosaur,
+    dir: directory, dist: distance, diwali: oil lamp, diy: tools, dl: download, doggo: dog,
+    dorm: dormitory, duckie: duck, ducky: duck, dunny: toilet, dup: duplicate,
+    ebike: electric bike, ebook: e reader, ecar: electric car, ecig: vape, ecigarette: vape,
+    edu: education, ekg: ecg, emt: ambulance, eng: engine, env: environment, er: emergency,
+    err: error, escooter: electric scooter, eticket: ticket, eur: euro, ewallet: wallet,
+    ext: extension, fav: favorite, fave: favorite, ffwd: fast forward, fireman: firefighter,
+    firewoman: firefighter, fishy: fish, footie: football, footy: football, foto: photo,
+    freq: frequency, froggie: frog, froggy: frog, fwd: forward, gbp: pound, gclamp: clamp,
+    geegee: horse, geoloc: location, gocart: go kart, gov: government, govt: government,
+    grad: graduate, grandad: grandparent, granddad: grandparent, grp: group, guac: avocado,
+    gumboot: rubber boot, haha: laughing, hankie: handkerchief, hanky: handkerchief,
+    hanukkah: menorah, happynewyear: fireworks, hbomb: atomic bomb, healthworker: doctor,
+    heli: helicopter, hgv: truck, hifive: high five, hist: history, hivis: vest, hols: holiday,
+    hoolahoop: hula hoop, hoover: vacuum cleaner, horsey: horse, horsie: horse, hosp: hospital,
+    hq: headquarters, hr: hour, hwy: highway, img: image, inr: rupee, intl: globe, inv: invoice,
+    ipad: tablet, jab: syringe, jackolantern: pumpkin, jpy: yen, k9: dog, kb: keyboard,
+    kittycat: cat, lang: language, lappy: laptop, lashes: eyelash, lcd: screen, lib: library,
+    lic: license, loc: location, loco: locomotive, lotusposition: yoga, lp: vinyl record,
+    lvl: level, maths: math, max: maximize, medic: doctor, meds: medicine, mem: memory, memo: note,
+    merrygoround: carousel, mgmt: management, mgr: manager, min: minimize, mob: mobile,
+    moggie: cat, moggy: cat, moto: motorcycle, mozzie: mosquito, msg: message, mtg: meeting,
+    mtn: mountain, mum: mother, mushie: mushroom, nan: grandparent, nana: grandparent,
+    nanna: grandparent, newyear: fireworks, newyearseve: fireworks, notif: notification,
+    num: number, oj: orange juice, opt: option, org: organization, papa: father, param: parameter,
+    perc: percent, perf: performance, perm: permission, phot: photo, phys: physics, pic: picture,
+    piccy: picture, piggie: pig, pinkie: little finger, pinky: little finger, pkg: package,
+    pref: settings, prev: previous, prod: product, prof: teacher, promo: promotion,
+    pushchair: stroller, pussycat: cat, pw: password, pwd: password, qtip: cotton swab,
+    qty: quantity, rec: record, reg: register, req: request, resp: response,
+    rew: rewind, rip: gravestone, roach: cockroach, roo: kangaroo, rubbish: trash, rugger: rugby,
+    sammie: sandwich, santa: father christmas, santaclaus: father christmas, sarnie: sandwich,
+    sched: schedule, sec: security, sel: select, sess: session, shades: sunglasses,
+    shroom: mushroom, sig: signature, sneaks: sneaker, spag: spaghetti, spagbol: spaghetti,
+    spud: potato, src: source, stat: statistics, steamyroom: sauna, sub: submarine,
+    sunnies: sunglasses, synth: synthesizer, sys: system, tater: potato, tbl: table, tbone: steak,
+    tech: technology, tee: t shirt, teeshirt: t shirt, tel: telephone, tele: television,
+    telly: television, temp: temperature, thanksgiving: turkey, ticktacktoe: tic tac toe,
+    ticktock: clock, tix: ticket, tjunction: junction, tmp: temperature, tnt: dynamite,
+    togs: swimsuit, tp: toilet paper, trackies: trousers, trex: tyrannosaurus, trike: tricycle,
+    tsquare: set square, tuktuk: auto rickshaw, tum: stomach, tummy: stomach, twopiece: bikini,
+    tx: transaction, txn: transaction, txt: text, uboat: submarine, uke: ukulele,
+    undies: underwear, uni: university, url: link, usd: dollar, usr: user, ute: pickup truck,
+    util: tools, vac: vacuum cleaner, vacc: vaccine, valentineday: heart, valentinesday: heart,
+    vax: vaccine, vcr: cassette, ver: version, vid: video, vino: wine, vol: volume,
+    vsign: victory hand, walkietalky: walkie talkie, wellie: rubber boot, wellington: rubber boot,
+    wellingtonboot: rubber boot, welly: rubber boot, wknd: weekend, womb: uterus, www: globe,
+    xmas: christmas, yfront: underwear
+    """
+    )
+)
 """What people type for short, or as they talk at home, in one word: two words are read as one."""
-
-CROSSED_OUT = {
-    word: ("x", "x mark", "cross", "cancelled", "hide", "invisible", "silence", "quiet")
-    for word in ("off", "slash", "slashed", "mute", "muted", "disabled")
-}
-"""What says of a thing that it is switched off or struck out, and what names of icons have for it.
-
-Of the words on the left, the collection has nearly none: such drawings are of no use as parts."""
-
-FORBIDDEN = {word: CROSSED_OUT["off"] for word in ("no", "without")}
-"""What says of the things that follow that they are forbidden or missing, and the same."""
-
-_MUTE = ("volume x", "speaker x", "speaker x mark", "volume zero", "sound quiet")
-_NO_EYE = ("eye closed", "eye invisible", "eye hide", "eye x", "eye cross")
-ALONE = {
-    "mute": _MUTE, "muted": _MUTE, "soundoff": _MUTE, "unmute": ("volume",),
-    "eyeoff": _NO_EYE, "eyeslash": _NO_EYE,
-    "onoff": ("power",), "offon": ("power",), "poweroff": ("power",), "turnoff": ("power",),
-    "switchoff": ("power",), "logoff": ("log out",), "signoff": ("sign out",),
-    "nosmoking": ("smoke free",),
-    "signup": ("user plus", "user add", "account plus", "person add"),
-}  # fmt: skip
-"""What words, joined, mean if no others stand beside them."""
 
 OTHER_IN_PLURAL = frozenset({"boxers", "glasses", "greens", "news"})
 """What is not several of what it is the plural of."""
@@ -170,7 +184,7 @@ BRANDS = words(
     """
     acer adidas adobe airbnb aldi asus audi bluesky bmw bosch canon chanel citroen colgate discord
     docker dotnet ebay etsy facebook fanta ferrari fiat firefox flickr github gitlab gucci
-    heineken honda huawei
+    google heineken honda huawei
     hulu hyundai ikea instagram intel jira kia lenovo levis lidl linkedin mastodon mercedes nestle
     netflix nike nikon nintendo nissan nokia nvidia opel paypal pepsi philips pinterest porsche
     prada reddit renault rolex safari samsung shein shopify siemens skoda skype slack snapchat sony
@@ -247,7 +261,14 @@ EVERYDAY = _listed(
     ordinateur: computer, コンピューター: computer, 电脑: computer, 컴퓨터: computer,
     компьютер: computer, sleutel: key, klucz: key, nyckel: key, anahtar: key, fiets: bicycle,
     rower: bicycle, cykel: bicycle, bil: car, coche: car, teller: plate, vis: screw,
-    schraube: screw, lit: bed
+    schraube: screw, lit: bed, abbrechen: cancel, annuler: cancel, annulla: cancel,
+    取消: cancel, キャンセル: cancel, отмена: cancel, zuruck: back, volver: back, retour: back,
+    indietro: back, voltar: back, 戻る: back, 返回: back, назад: back, weiter: next,
+    siguiente: next, suivant: next, avanti: next, 次へ: next, далее: next, drucken: print,
+    imprimir: print, imprimer: print, stampa: print, 印刷: print, 打印: print, печать: print,
+    hilfe: help, ayuda: help, aide: help, aiuto: help, ajuda: help, ヘルプ: help, 帮助: help,
+    schliessen: close, cerrar: close, fermer: close, chiudi: close, fechar: close,
+    rechercher: search
     """
 )
 """Words of other languages, without accents, that no emoji is called by, or something else."""

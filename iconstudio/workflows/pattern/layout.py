@@ -36,6 +36,8 @@ Mask = NDArray[np.float32]
 
 _INK = 0.5
 """What covers a pixel by more has it."""
+_SEEN = 0.02
+"""What changes no pixel by more, of a range from 0 to 1, is not to be seen."""
 _DETAIL = 0.9
 """What lies with so much of its ink on another element is a detail of it."""
 
@@ -114,11 +116,13 @@ class Arrangement:
             )
         masks = np.stack([_united(shape for one in layer for shape in one) for layer in layers])
         labels = np.stack([_labels(layer, pixels) for layer in layers])
-        exemplar = Exemplar(_colours(shapes, pixels, self.ground or GROUND), masks, labels)
+        colours, seen = _colours(shapes, pixels, self.ground or GROUND)
+        exemplar = Exemplar(colours, masks, labels)
         elements = tuple(tuple(map(_fills, layer)) for layer in layers)
         places = np.array([(one.y, one.x) for one in self.motifs]).T * samples
         down, across = (rows_apart(one, self.side * samples) for one in places)
-        return Layout(exemplar, elements, self.ground, (down, across))
+        remark = _said_of_unseen(seen) if self.ground else ""
+        return Layout(exemplar, elements, self.ground, (down, across), remark)
 
 
 def rasterised(path: Path, width: int, height: int | None = None) -> Mask:
@@ -188,12 +192,37 @@ def _labels(elements: Sequence[Sequence[Shape]], pixels: int) -> NDArray[np.int3
     return labels
 
 
-def _colours(shapes: Iterable[Shape], pixels: int, ground: str) -> NDArray[np.float32]:
-    picture = np.broadcast_to(channels(ground), (pixels, pixels, 3))
+def _colours(
+    shapes: Iterable[Shape], pixels: int, ground: str
+) -> tuple[NDArray[np.float32], list[bool]]:
+    """Return the picture of shapes on a ground, (pixels, pixels, 3), from 0 to 1.
+
+    And whether each can be told from what lies behind it.
+    """
+    picture: NDArray[np.float32] = np.broadcast_to(channels(ground), (pixels, pixels, 3))
+    seen = []
     for shape in shapes:
-        over = shape.mask[..., None]
-        picture = over * channels(shape.fill.colour) + (1 - over) * picture
-    return picture.astype(np.float32)
+        below, over = picture, shape.mask[..., None]
+        picture = over * channels(shape.fill.colour) + (1 - over) * below
+        seen.append(bool(np.abs(picture - below).max() > _SEEN))
+    return picture.astype(np.float32), seen
+
+
+def _said_of_unseen(seen: Sequence[bool]) -> str:
+    """Return a sentence about the shapes that cannot be seen; empty if all can."""
+    unseen = seen.count(False)
+    if not unseen:
+        return ""
+    if unseen == len(seen):
+        return (
+            "Nothing of the pattern can be seen: it has the colour of its ground. "
+            "Change one of the two."
+        )
+    they_have, them = ("it has", "it") if unseen == 1 else ("they have", "them")
+    return (
+        f"{unseen} of the {len(seen)} icons cannot be seen: "
+        f"{they_have} the colour of what lies behind {them}."
+    )
 
 
 def _fills(element: Iterable[Shape]) -> tuple[Fill, ...]:
