@@ -120,6 +120,8 @@ class GridTask:
     """Sources that every style has, before those that are matched."""
     fitting: Callable[[Sequence[Exemplar]], tuple[Source, ...]] = lambda exemplars: ()
     """Returns more sources of a style, made of the exemplars that it admits."""
+    alone: bool = False
+    """Whether a source by itself is as good a result as a remix."""
     pinned: tuple[Source, ...] = ()
     """More sources, each of the styles that admit it."""
     include: Set[str] = frozenset()
@@ -165,7 +167,7 @@ def remix_styles(
     regions = (*task.regions, *task.details)
     yield RegionsFound(tuple(region.centre for region in regions), len(task.details))
     remixing = Remixing(workers, render, len(styles) * count, plausibility)
-    recommending = Recommending(count)
+    recommending = Recommending(count, task.alone)
     preview = settings.previews
     try:
         for style in styles:

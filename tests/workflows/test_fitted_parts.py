@@ -10,8 +10,9 @@ from iconstudio.algorithms.raster import fill_polygon, overlap, placed_ink
 from iconstudio.model import CANVAS, Edit, Polygon
 from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.editing.additions import shown
-from iconstudio.workflows.editing.editing import edit_icon, own_styles, place_edit, run
+from iconstudio.workflows.editing.editing import edit_icon, own_styles, run
 from iconstudio.workflows.editing.fitting import COUNT, fitted
+from iconstudio.workflows.editing.placing import place_edit
 from iconstudio.workflows.grid import GridSettings
 from tests.shapes import exemplar, icons
 
