@@ -15,6 +15,7 @@ from iconstudio.model import (
     Composite,
     Edit,
     Exemplar,
+    Inner,
     Remix,
     Source,
 )
@@ -22,7 +23,7 @@ from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render, draw_whole
 from iconstudio.workflows.editing.additions import doubts, judged, with_missed
 from iconstudio.workflows.editing.fitting import fitted
-from iconstudio.workflows.editing.lookalikes import lookalikes
+from iconstudio.workflows.editing.lookalikes import lookalikes, names_part
 from iconstudio.workflows.editing.opened import OPENED, is_opened
 from iconstudio.workflows.editing.placing import PlacedEdit, paper, place_edited
 from iconstudio.workflows.events import Event, Remark
@@ -101,8 +102,8 @@ def edit_icon(
         return judged(icon, wanted)
 
     same = lookalikes(change.icon, matcher)
-    # A keyword that finds the icon itself names the thing, and another one its new part.
-    names_part = same.isdisjoint(one.exemplar.id for one in matcher.exemplars)
+    areas = change.areas if names_part(change.icon, matcher) else ()
+    outside = [one for number, one in enumerate(areas, 1) if number not in change.enclosed]
     task = GridTask(
         field=tsdf(change.silhouette),
         regions=salient_regions(score),
@@ -110,7 +111,8 @@ def edit_icon(
         refusal=_refusal,
         pose=partial(posed.pose, edit.symmetry),
         unmet=_UNMET,
-        fitting=partial(fitted, change.areas if names_part else ()),
+        fitting=partial(fitted, areas, change.ink),
+        whole=not change.left.any() and edit.inner == Inner(),
         finish=finish,
         always=(change.base, paper(change.base)) if change.left.any() else (change.base,),
         alone=change.emptied is not None,
@@ -119,7 +121,7 @@ def edit_icon(
     )
     events = remix_styles(task, matcher, settings, workers, render, earlier, plausibility)
     try:
-        yield from with_missed(events, wanted)
+        yield from with_missed(events, wanted, outside, edit.keyword)
     finally:
         own.cancel()
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.iconification.energy import distance_field, remix_problem
 from iconstudio.algorithms.iconification.guidance import (
     EDIT_REACH,
+    HELD,
     edit_penalty,
     scribble,
     truncated_distance,
@@ -24,7 +25,7 @@ from iconstudio.algorithms.iconification.keeping import Kept, kept
 from iconstudio.algorithms.iconification.overhang import seen
 from iconstudio.algorithms.iconification.symmetry import reflected
 from iconstudio.algorithms.iconification.taking_off import meant, taken_off
-from iconstudio.algorithms.raster import Bitmap, placed_ink, solid
+from iconstudio.algorithms.raster import Bitmap, overlap, placed_ink, solid
 from iconstudio.model import (
     CANVAS,
     MARGIN,
@@ -43,6 +44,7 @@ from iconstudio.model import (
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.editing.emptying import Emptied, begin_emptying
+from iconstudio.workflows.editing.fitting import ALIKE
 from iconstudio.workflows.solving import Posed
 
 OFF_CANVAS = Placement(dx=4 * CANVAS)
@@ -125,11 +127,22 @@ class PlacedEdit:
                 penalty[number, within] = np.minimum(data[0] - data[number], 0)[within]
         return penalty
 
+    def whole(self, filled: Bitmap) -> NDArray[np.bool_]:
+        """Return which sources, (K, m, m) filled, fit an added area as a whole, (K,); not E_0."""
+        fit = [any(overlap(one, area) >= ALIKE for area in self.areas) for one in filled[1:]]
+        return np.array([False, *fit])
+
     def pose(self, symmetry: Axis | None, sources: tuple[Source, ...]) -> Posed:
         """Pose the graph cut of ``sources``, the first of which is the icon itself."""
         problem = remix_problem(distance_field(self.silhouette), sources, symmetry)
         data = self.guide.guided(problem)
-        data = data + self.penalty(data, sources) + self.unmarked.cost(problem.ink)
+        whole = self.whole(problem.solid)
+        data = data + self.penalty(data, sources) + self.unmarked.cost(problem.ink, whole)
+        others = {one.exemplar.id for one, fits in zip(sources, whole, strict=True) if not fits}
+        if others == {self.icon.id}:
+            # Whatever comes, comes whole: the icon goes on only where it was.
+            theirs = problem.solid[whole].any(axis=0) & ~solid(self.keeps)
+            data[~whole] += np.where(theirs, np.float32(HELD), np.float32(0))
         problem = replace(problem, data=data)
         # All but the change stays as it is.
         return Posed(
