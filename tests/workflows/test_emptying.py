@@ -126,6 +126,15 @@ def test_where_something_comes_instead_or_in_a_mirror_the_cut_takes_it_off(
     assert (not change.left.any()) is closed
 
 
+@pytest.mark.parametrize("right", [150, 175])
+def test_half_a_ring_is_not_filled(right):
+    """Though more than half of its hole is marked."""
+    ring = drawn(RING.format(70, 20))
+    area = Polygon.of([(30, 30), (right, 30), (right, 226), (30, 226)])
+    found = emptied((area,), (), ring, render_placed, alone=(area,))
+    assert found is None or not (found.icon.ink & ~ring.ink)[:, right:].any()
+
+
 def test_an_icon_without_its_part_is_recommended_in_every_style(workers):
     """Other icons have a bump there."""
     bump = drawn(BODY, '<circle cx="128" cy="90" r="20"/>')

@@ -31,6 +31,8 @@ _BESIDE = 24
 """Canvas units around an area in which what is done to it shows."""
 _RIM = 0.6
 """So much of what is marked may stay at most: the rim of the wall that a handle is taken off."""
+_SPILT = 0.02
+"""So much ink, of as much as goes, may come beside the area: a line goes on without an ear."""
 _CRUMBS = 8
 """So few pixels are no change: those of soft edges."""
 
@@ -109,9 +111,14 @@ def _closed(outline: Path, area: Polygon, icon: Exemplar, render: Render) -> Pat
         return None
     before, after = (_drawn(one, icon, render).ink for one in (outline, found))
     whole = fill_polygon(area)
-    marked, elsewhere = before & whole, distance_transform_edt(~whole) > _BESIDE
-    goes = (marked & after).sum() <= _RIM * marked.sum()
-    return found if goes and ((before ^ after) & elsewhere).sum() <= _CRUMBS else None
+    gone, new, marked = before & ~after, after & ~before, before & whole
+    elsewhere = distance_transform_edt(~whole) > _BESIDE
+    clean = (
+        (marked & after).sum() <= _RIM * marked.sum()
+        and (new & ~whole).sum() <= _SPILT * gone.sum()
+        and ((gone | new) & elsewhere).sum() <= _CRUMBS
+    )
+    return found if clean else None
 
 
 @dataclass(frozen=True, eq=False)
