@@ -4,9 +4,10 @@ from iconstudio.cli import grid, running
 from iconstudio.cli.timing import profiled
 from iconstudio.output.request import edit_request
 from iconstudio.session import Session
-from iconstudio.workflows.editing.editing import own_styles, place_edited
+from iconstudio.workflows.editing.editing import own_styles
 from iconstudio.workflows.editing.file import read_edit
 from iconstudio.workflows.editing.page import doubts
+from iconstudio.workflows.editing.placing import place_edited
 from iconstudio.workflows.editing.spec import EDITING
 
 

@@ -14,7 +14,7 @@ from iconstudio.algorithms.iconification.guide import (
 from iconstudio.algorithms.raster import Bitmap, fill_polygon
 from iconstudio.model import CANVAS, Axis, Edit, Sketch, Stroke
 from iconstudio.output.figure import INK, MUTED, RGB
-from iconstudio.workflows.editing.editing import PlacedEdit
+from iconstudio.workflows.editing.placing import PlacedEdit
 
 ADDED, REMOVED = (46, 148, 84), (206, 58, 48)
 _ADDED_GROUND, _REMOVED_GROUND = (150, 214, 172), (246, 200, 195)

@@ -118,8 +118,13 @@ class GridTask:
     """What to add to each icon."""
     always: tuple[Source, ...] = ()
     """Sources that every style has, before those that are matched."""
-    fitting: Callable[[Sequence[Exemplar]], tuple[Source, ...]] = lambda exemplars: ()
-    """Returns more sources of a style, made of the exemplars that it admits."""
+    fitting: Callable[[Sequence[Exemplar]], Matches] = lambda exemplars: ()
+    """Returns more sources of a style, made of the exemplars that it admits: a row for each part
+    that one of them could be as a whole."""
+    whole: bool = False
+    """Whether nothing else is joined if there are some for each part."""
+    alone: bool = False
+    """Whether a source by itself is as good a result as a remix."""
     pinned: tuple[Source, ...] = ()
     """More sources, each of the styles that admit it."""
     include: Set[str] = frozenset()
@@ -131,7 +136,9 @@ class GridTask:
         """Return the sources of a style: those it always has first, pinned ones last."""
         own = [one for one in self.pinned if style.admits(blackness(one.exemplar.ink))]
         fitted = self.fitting(matched.exemplars)
-        return (*self.always, *distinct((*matched.matches, matched.whole, fitted, own)))
+        enough = self.whole and fitted and all(fitted)
+        others = () if enough else (*matched.matches, matched.whole)
+        return (*self.always, *distinct((*others, *fitted, own)))
 
 
 def remix_styles(
@@ -165,7 +172,7 @@ def remix_styles(
     regions = (*task.regions, *task.details)
     yield RegionsFound(tuple(region.centre for region in regions), len(task.details))
     remixing = Remixing(workers, render, len(styles) * count, plausibility)
-    recommending = Recommending(count)
+    recommending = Recommending(count, task.alone)
     preview = settings.previews
     try:
         for style in styles:

@@ -21,10 +21,14 @@ NEARLY = 0.9
 
 
 class Recommending:
-    """Names the best result of each style once all ``count`` are there."""
+    """Names the best result of each style once all ``count`` are there.
 
-    def __init__(self, count: int) -> None:
+    With ``alone``, an icon by itself is as good as a remix: a part was taken off it before.
+    """
+
+    def __init__(self, count: int, alone: bool = False) -> None:
         self._count = count
+        self._alone = alone
         self._remixes: dict[str, list[Remix]] = {}
         self.inside: float | None = None
         """How much the best of what was named shows of what was drawn inside; None: of nothing."""
@@ -42,20 +46,21 @@ class Recommending:
                         yield Recommended(style, self._name(row))
 
     def _name(self, row: Sequence[Remix]) -> float | None:
-        best = best_of(row)
+        best = best_of(row, self._alone)
         if best is None:
             return None
         self.inside = max(self.inside or 0.0, best.score.inside)
         return best.composite.lambda_s
 
 
-def best_of(row: Sequence[Remix]) -> Remix | None:
+def best_of(row: Sequence[Remix], alone: bool = False) -> Remix | None:
     """Return the best remix of a row, or an icon as it went in if that must stand for one.
 
     Where the outline is nearly symmetric, one that is quite so comes first if it is nearly as good.
-    Of equals, that of the highest lambda_S: a row comes in any order.
+    Of equals, that of the highest lambda_S: a row comes in any order. ``alone`` is as in
+    ``Recommending``.
     """
-    remixes = [one for one in row if not _is_untouched(one.composite)]
+    remixes = [one for one in row if alone or not _is_untouched(one.composite)]
     best = _first(remixes)
     even = _first(one for one in remixes if one.composite.symmetry is not None)
     if best is not None and even is not None and even.score.total >= NEARLY * best.score.total:

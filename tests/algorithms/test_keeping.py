@@ -50,7 +50,7 @@ def test_what_is_taken_off_is_paper_and_a_line_may_close_the_outline():
 
 def test_labels_cost_where_they_show_anything_else():
     found = kept(FRAME, NOTHING, box(100, 20, 150, 60), NOTHING, solid(FRAME))
-    own, none = found.cost(np.stack([FRAME, NOTHING]))
+    own, none = found.cost(np.stack([FRAME, NOTHING]), np.array([False, False]))
     assert not own.any()
     assert np.array_equal(none > 0, FRAME)
     assert none.max() == HELD

@@ -7,8 +7,8 @@ import pytest
 
 from iconstudio.inputs.examples import examples
 from iconstudio.reading import returned
-from iconstudio.workflows.editing.editing import place_edit
 from iconstudio.workflows.editing.file import read_edit
+from iconstudio.workflows.editing.placing import place_edit
 from iconstudio.workflows.files import read_file, write_file
 from iconstudio.workflows.hybrids import hybrids
 from iconstudio.workflows.hybrids.file import read_hybrids

@@ -16,7 +16,7 @@ from iconstudio.model import CANVAS, Axis, Edit, IconstudioError, Placement, Pol
 from iconstudio.output import png
 from iconstudio.output.report import GridReport
 from iconstudio.output.request import edit_request, sketch_request
-from iconstudio.workflows.editing.editing import place_edit
+from iconstudio.workflows.editing.placing import place_edit
 from iconstudio.workflows.events import (
     Progress,
     Recommended,

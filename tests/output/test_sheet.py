@@ -14,7 +14,7 @@ from iconstudio.output.colours import palette, source_colours
 from iconstudio.output.figure import PAPER, Figure, font, shortened
 from iconstudio.output.request import edit_request, sketch_request
 from iconstudio.output.sheet import Row, Subject, gallery_sheet, grid_sheet, search_sheet
-from iconstudio.workflows.editing.editing import place_edit
+from iconstudio.workflows.editing.placing import place_edit
 from tests.output.made import BLOCK, DISC, RING, SOURCES, SQUARE, made, quarters
 
 LAMBDAS = (0.05, 0.2, 0.75)

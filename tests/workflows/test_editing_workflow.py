@@ -10,10 +10,9 @@ from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.editing.editing import (
     edit_icon,
     own_styles,
-    place_edit,
-    place_edited,
 )
 from iconstudio.workflows.editing.lookalikes import SAME, lookalikes
+from iconstudio.workflows.editing.placing import place_edit, place_edited
 from iconstudio.workflows.events import Recommended, Remark, StyleMatched
 from iconstudio.workflows.grid import SHOWN, GridSettings
 from tests.shapes import blob, exemplar, icons

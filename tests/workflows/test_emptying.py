@@ -5,10 +5,12 @@ from dataclasses import replace
 import pytest
 
 from iconstudio.algorithms.iconification.matching import Matcher, prepare
-from iconstudio.model import CANVAS, Edit, Exemplar, Frame, Pictogram, Placement, Polygon
+from iconstudio.model import CANVAS, Axis, Edit, Exemplar, Frame, Pictogram, Placement, Polygon
 from iconstudio.svg.placed import render_placed
-from iconstudio.workflows.editing.editing import edit_icon, place_edited
+from iconstudio.workflows.editing.editing import edit_icon
 from iconstudio.workflows.editing.emptying import emptied
+from iconstudio.workflows.editing.placing import place_edited
+from iconstudio.workflows.events import Recommended
 from iconstudio.workflows.grid import GridSettings
 from tests.shapes import CREDIT, blob, exemplar, icons
 
@@ -88,6 +90,69 @@ def test_every_result_is_the_icon_without_its_hub(workers):
         assert (ink ^ ONLY_RING.ink).sum() < 0.01 * ink.sum()
         assert result.unchanged > 0.995
         assert [one.id for one in result.credits] == ["test:gear"]
+
+
+BODY = '<rect x="40" y="90" width="176" height="120" rx="30"/>'
+ANTENNA = '<path d="M122 40h12v60h-12z"/><circle cx="128" cy="36" r="16"/>'
+ROBOT, HEADLESS = drawn(BODY, ANTENNA), drawn(BODY)
+AROUND = Polygon.of([(100, 10), (156, 10), (156, 92), (100, 92)])
+
+
+def test_what_sticks_out_goes_and_the_outline_closes(workers):
+    found = emptied((AROUND,), (), ROBOT, render_placed, alone=(AROUND,))
+    assert same(found.icon, HEADLESS)
+    assert found.areas == (AROUND,)
+    change = place_edited(Edit(ROBOT.pictogram, "x", (AROUND,)), ROBOT, workers, render_placed)
+    assert not change.left.any()
+    assert change.removed.any()
+    assert (change.silhouette == HEADLESS.ink).all()
+    assert not change.wanted.any()
+
+
+@pytest.mark.parametrize(
+    ("add", "symmetry", "closed"),
+    [
+        ((), None, True),
+        ((Polygon.of([(180, 200), (210, 200), (210, 230), (180, 230)]),), None, True),
+        ((Polygon.of([(100, 60), (156, 60), (156, 92), (100, 92)]),), None, False),
+        ((), Axis.HORIZONTAL, False),
+    ],
+)
+def test_where_something_comes_instead_or_in_a_mirror_the_cut_takes_it_off(
+    add, symmetry, closed, workers
+):
+    edit = Edit(ROBOT.pictogram, "x", (AROUND,), add, symmetry)
+    change = place_edited(edit, ROBOT, workers, render_placed)
+    assert (not change.left.any()) is closed
+
+
+@pytest.mark.parametrize("right", [150, 175])
+def test_half_a_ring_is_not_filled(right):
+    """Though more than half of its hole is marked."""
+    ring = drawn(RING.format(70, 20))
+    area = Polygon.of([(30, 30), (right, 30), (right, 226), (30, 226)])
+    found = emptied((area,), (), ring, render_placed, alone=(area,))
+    assert found is None or not (found.icon.ink & ~ring.ink)[:, right:].any()
+
+
+def test_an_icon_without_its_part_is_recommended_in_every_style(workers):
+    """Other icons have a bump there."""
+    bump = drawn(BODY, '<circle cx="128" cy="90" r="20"/>')
+    others = [
+        exemplar(bump.ink, "bump"),
+        *(exemplar(blob(seed), f"blob-{seed}") for seed in range(3)),
+    ]
+    change = place_edited(Edit(ROBOT.pictogram, "x", (AROUND,)), ROBOT, workers, render_placed)
+    settings = GridSettings(styles=("medium", "dark"), lambdas=(0.05, 0.5))
+    matcher = Matcher([prepare(one) for one in (ROBOT, *others)])
+    events = list(edit_icon(change, matcher, settings, workers, render_placed))
+    results = icons(events)
+    for result in results:
+        ink = result.drawing.coverage.reshape(CANVAS, 2, CANVAS, 2).mean(axis=(1, 3)) > 127
+        assert (ink ^ HEADLESS.ink).sum() < 0.002 * ink.sum()
+    named = [one for one in events if isinstance(one, Recommended)]
+    assert len(named) == len(results) // 2
+    assert all(one.lambda_s is not None for one in named)
 
 
 def test_what_is_added_counts_beside_what_is_emptied(workers):

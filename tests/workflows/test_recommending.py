@@ -9,8 +9,8 @@ from iconstudio.workflows.recommending import NEARLY, Recommending
 from tests.output.made import SOURCES, made, quarters
 
 
-def recommended(icons):
-    events = list(Recommending(len(icons)).after(map(Result, icons)))
+def recommended(icons, alone=False):
+    events = list(Recommending(len(icons), alone).after(map(Result, icons)))
     (one,) = (event for event in events if isinstance(event, Recommended))
     return one
 
@@ -54,6 +54,13 @@ def test_an_icon_as_it_went_in_is_never_recommended_unless_it_was_judged():
     worse = replace(joined, score=replace(joined.score, likeness=0.1))
     assert recommended([better, worse]) == Recommended("light", 0.05)
     assert recommended([better, better]) == Recommended("light", None)
+
+
+def test_an_icon_that_a_part_was_taken_off_is_as_good_as_a_remix():
+    whole, joined = made(0 * quarters(), 0.75), made(quarters(), 0.05)
+    icons = [judged(whole, 0.4, 0.9), judged(joined, 0.2, 0.9)]
+    assert recommended(icons, alone=True) == Recommended("light", 0.75)
+    assert recommended([whole, whole], alone=True) == Recommended("light", 0.75)
 
 
 def test_what_is_recommended_does_not_depend_on_what_came_first():

@@ -29,9 +29,13 @@ class Kept:
     ink: Bitmap
     paper: Bitmap
 
-    def cost(self, ink: NDArray[np.bool_]) -> NDArray[np.float32]:
-        """Return what sources (K, m, m) bool cost where they show anything else, (K, m, m)."""
-        return np.where(np.where(ink, self.paper, self.ink), np.float32(HELD), np.float32(0))
+    def cost(self, ink: NDArray[np.bool_], whole: NDArray[np.bool_]) -> NDArray[np.float32]:
+        """Return what sources (K, m, m) bool cost where they show anything else, (K, m, m).
+
+        Those that are ``whole`` (K,), a hat that was sketched roughly, may have ink on paper.
+        """
+        paper = self.paper & ~whole[:, None, None]
+        return np.where(np.where(ink, paper, self.ink), np.float32(HELD), np.float32(0))
 
 
 def kept(ink: Bitmap, removed: Bitmap, added: Bitmap, drawn: Bitmap, silhouette: Bitmap) -> Kept:

@@ -1,12 +1,13 @@
 """Whether results show what was added to an icon, and what is said if they do not."""
 
-from collections.abc import Generator, Iterable, Iterator
+from collections.abc import Generator, Iterable, Iterator, Sequence
 from contextlib import closing
 from dataclasses import replace
 
 from iconstudio.algorithms.iconification.overhang import seen
-from iconstudio.algorithms.raster import Bitmap, solid
+from iconstudio.algorithms.raster import Bitmap, overlap, placed_ink, solid
 from iconstudio.model import Placement, Remix
+from iconstudio.workflows.editing.fitting import ALIKE
 from iconstudio.workflows.events import Event, Remark, Result
 
 _INSIDE = (
@@ -20,6 +21,10 @@ _SMALLER = (
 _MISSED = (
     "No result shows much of what you added, {:.0%} at most: other icons have little like it "
     "there. Draw it larger or elsewhere, or try another keyword or style."
+)
+_PARTS = (
+    "No icon of “{}” fits what you added as a whole: results show parts of some in its place. "
+    "Draw it more like one of them, or larger, or try another keyword."
 )
 _LEAST, _MUCH, _WHOLE = 0.1, 0.5, 0.8
 """A result that shows less of what was added does not fit the change at all; one that shows so
@@ -56,14 +61,34 @@ def shown(icon: Remix, wanted: Bitmap) -> float:
     return float(solid(drawing.coverage > 127)[area].mean()) if area.any() else 1.0
 
 
-def with_missed(events: Generator[Event], wanted: Bitmap) -> Generator[Event]:
-    """Pass events on; say at the end if no result shows much of what was added."""
+def with_missed(
+    events: Generator[Event], wanted: Bitmap, areas: Sequence[Bitmap] = (), name: str = ""
+) -> Generator[Event]:
+    """Pass events on; say at the end if no result shows much of what was added, or none a whole.
+
+    ``areas`` (m, m) are those in which things of that ``name`` should be as a whole.
+    """
     best: float | None = None
+    whole = not areas
     with closing(events):
         for event in events:
             yield event
             match event:
                 case Result(icon=Remix() as icon, preview=False):
                     best = max(best or 0.0, shown(icon, wanted))
+                    whole = whole or _has_whole(icon, areas)
     if best is not None and best < _MUCH:
         yield Remark(_MISSED.format(best))
+    elif best is not None and not whole:
+        yield Remark(_PARTS.format(name))
+
+
+def _has_whole(icon: Remix, areas: Sequence[Bitmap]) -> bool:
+    """Whether in each of some areas (CANVAS, CANVAS) a result has a source that fits it."""
+    composite = icon.composite
+    used = [
+        placed_ink(source.exemplar, source.placement)[1]
+        for source, share in zip(composite.sources, composite.shares, strict=True)
+        if share > 0
+    ]
+    return all(any(overlap(one, area) >= ALIKE for one in used) for area in areas)

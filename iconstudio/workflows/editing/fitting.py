@@ -1,8 +1,13 @@
-"""Whole icons that fit a green area: a hat for a cat comes as large as it was sketched."""
+"""Whole icons that fit a green area: a hat for a cat comes as large as it was sketched.
+
+Of those that fit about as well, the ones come first whose strokes are then as wide as the icon's.
+"""
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
+
+from scipy.ndimage import binary_erosion
 
 from iconstudio.algorithms.raster import Bitmap, overlap, placed_ink, solid
 from iconstudio.algorithms.scanning.margin import box_of
@@ -10,8 +15,10 @@ from iconstudio.model import CANVAS, Exemplar, Placement, Source
 
 COUNT = 3
 """Most icons that are fitted to one area."""
-_ALIKE = 0.5
+ALIKE = 0.5
 """Overlap with the area from which an icon fits."""
+_NEARLY = 0.1
+"""Icons whose overlap with the area is less by so much fit about as well as the best."""
 _SMALLEST, _LARGEST = 0.2, 0.8
 """Scales that icons are fitted by; what is larger is found by matching."""
 
@@ -25,23 +32,36 @@ class _Extent(NamedTuple):
     height: int
 
 
-def fitted(areas: Iterable[Bitmap], exemplars: Sequence[Exemplar]) -> tuple[Source, ...]:
-    """Return the icons that, made smaller as a whole, fit areas (CANVAS, CANVAS) best."""
-    goals = [(area, _extent(area)) for area in areas]
-    extents = [(one, _extent(solid(one.ink))) for one in exemplars if goals]
-    found: list[Source] = []
+def fitted(
+    areas: Iterable[Bitmap], ink: Bitmap, exemplars: Sequence[Exemplar]
+) -> tuple[tuple[Source, ...], ...]:
+    """Return the icons that, made smaller as a whole, fit each of some areas best.
+
+    The areas, and the ``ink`` of the icon that they are added to, are (CANVAS, CANVAS).
+    """
+    goals, pen = [(area, _extent(area)) for area in areas], _pen(ink)
+    extents = [(one, _extent(solid(one.ink)), _pen(one.ink)) for one in exemplars if goals]
+    found: list[tuple[Source, ...]] = []
     for area, goal in goals:
         tried = [
-            (overlap(placed_ink(one, place)[1], area), one, place)
-            for one, extent in extents
+            (overlap(placed_ink(one, place)[1], area), own * place.scale, one, place)
+            for one, extent, own in extents
             for place in _placements(extent, goal)
         ]
-        best = sorted((each for each in tried if each[0] >= _ALIKE), key=lambda each: -each[0])
+        nearly = max((each[0] for each in tried), default=0.0) - _NEARLY
+        off = {id(each): abs(math.log(each[1] / pen)) for each in tried if each[0] >= nearly}
+        tried.sort(key=lambda each: (off.get(id(each), math.inf), -each[0]))
         once: dict[str, Source] = {}
-        for _, one, place in best:
-            once.setdefault(one.id, Source(one, place))
-        found += list(once.values())[:COUNT]
+        for part, _, one, place in tried:
+            if part >= ALIKE:
+                once.setdefault(one.id, Source(one, place))
+        found.append(tuple(once.values())[:COUNT])
     return tuple(found)
+
+
+def _pen(ink: Bitmap) -> float:
+    """Return about how wide the strokes of ink are, in pixels; at least 1."""
+    return max(1.0, 2 * float(ink.sum()) / max(1, int((ink & ~binary_erosion(ink)).sum())))
 
 
 def _placements(extent: _Extent | None, goal: _Extent | None) -> Iterator[Placement]:
@@ -50,7 +70,7 @@ def _placements(extent: _Extent | None, goal: _Extent | None) -> Iterator[Placem
         return
     across, down = goal.width / extent.width, goal.height / extent.height
     scale = math.sqrt(across * down)
-    if min(across, down) < _ALIKE * max(across, down) or not _SMALLEST <= scale <= _LARGEST:
+    if min(across, down) < ALIKE * max(across, down) or not _SMALLEST <= scale <= _LARGEST:
         return
     for flip in (False, True):
         x = -extent.x if flip else extent.x

@@ -3,8 +3,8 @@
 import numpy as np
 
 from iconstudio.model import Icon
-from iconstudio.workflows.editing.editing import place_edit
 from iconstudio.workflows.editing.page import EditPage
+from iconstudio.workflows.editing.placing import place_edit
 from iconstudio.workflows.inner_pictures import InnerPicture
 
 

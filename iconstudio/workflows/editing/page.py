@@ -64,7 +64,7 @@ EditDocument = Document[EditPage]
 
 def problem(page: EditPage) -> str:
     """Return what is missing before an icon can be remixed, as a sentence; else nothing."""
-    from iconstudio.workflows.editing.editing import place_edit
+    from iconstudio.workflows.editing.placing import place_edit
 
     edit = page.edit()
     if page.icon is None or edit is None:

@@ -15,8 +15,9 @@ from iconstudio.importing.edits import EditImporter
 from iconstudio.model import Edit, Exemplar, Pictogram
 from iconstudio.workflows.areas import AreaOutline, Kind
 from iconstudio.workflows.editing import page as edits
-from iconstudio.workflows.editing.editing import own_styles, place_edit
+from iconstudio.workflows.editing.editing import own_styles
 from iconstudio.workflows.editing.page import EditPage
+from iconstudio.workflows.editing.placing import place_edit
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import GridSettings
 
