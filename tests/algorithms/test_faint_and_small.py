@@ -81,3 +81,41 @@ def test_a_coloured_picture_that_is_no_square_may_have_small_spots():
     picture[71:74, 108:111] = 30, 60, 200
     scan = recognised(picture)
     assert scan.coloured is not None and ink_of(scan).any()
+
+
+def with_whiskers(darkness: float) -> np.ndarray:
+    ink = ndimage.gaussian_filter(face(700, 5, 16), 1)
+    y, x = np.mgrid[:700, :700]
+    for row in (330, 370, 410):
+        whisker = (abs(y - row) < 1.5) & (abs(x - 350) > 170) & (abs(x - 350) < 300)
+        ink = np.maximum(ink, darkness * ndimage.gaussian_filter(whisker.astype(float), 1))
+    return ink
+
+
+@pytest.mark.parametrize("pen", [(40, 45, 60), (150, 150, 150)])
+@pytest.mark.parametrize(("darkness", "told"), [(0.3, True), (0, False)])
+def test_whiskers_that_are_much_fainter_than_the_rest_are_told(pen, darkness, told):
+    """Also those of a pencil that is faint itself, and beyond what is inked."""
+    scan = recognised(photo(with_whiskers(darkness), pen))
+    assert scan.found and scan.faint == told
+
+
+@pytest.mark.parametrize("paper", [(242, 232, 204), (238, 234, 225), (250, 250, 248)])
+def test_of_ink_on_evenly_lit_paper_nothing_is_left_out(paper):
+    """Paper goes without saying, be it cream; and the soft edge of a thick pen is no shadow."""
+    ink = ndimage.gaussian_filter(face(640, 22, 20), 1.2)[..., None]
+    drawn = np.array(paper) * (1 - ink) + np.array((35, 38, 60)) * ink
+    noise = np.random.default_rng(2).normal(0, 4, (640, 640, 1))
+    scan = recognised(np.clip(drawn + noise, 0, 255).astype(np.uint8))
+    assert scan.found and not scan.omissions
+
+
+@pytest.mark.parametrize(("dimmer", "seed"), [(0.45, 0), (0.45, 2), (0.55, 1)])
+def test_paper_on_which_the_light_falls_steeply_towards_a_corner_is_whole(dimmer, seed):
+    y, x = np.mgrid[:640, :700]
+    light = 1 - dimmer * (x / 700) * (y / 640) - 0.1 * (y / 640)
+    ink = ndimage.gaussian_filter(np.pad(face(640, 2, 16), ((0, 0), (30, 30))), 1.2)[..., None]
+    drawn = (np.array((238, 234, 225)) * (1 - ink) + 40 * ink) * light[..., None]
+    noise = np.random.default_rng(seed).normal(0, 4, (640, 700, 1))
+    scan = recognised(np.clip(drawn + noise, 0, 255).astype(np.uint8))
+    assert scan.found and not scan.omissions

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.extremes import greatest_channel
-from iconstudio.algorithms.scanning.ground import ASTRAY, ground_of, is_gradient
+from iconstudio.algorithms.scanning.ground import ASTRAY, ground_of, has_grain, is_gradient
 from iconstudio.algorithms.scanning.margin import corners_of, rim_of
 from iconstudio.algorithms.scanning.palette import evenly_painted
 from iconstudio.algorithms.scanning.resampling import premultiplied, shrunk
@@ -36,7 +36,7 @@ def left_behind(
     What is white is no part of the drawing, either, if it is less dark than ``least``, from 0 to 1;
     nothing is left out that the coloured ``drawing`` (n, n, 4) shows.
     """
-    if pixels.shape[2] == 4:
+    if pixels.shape[2] == 4 or has_grain(pixels):
         return frozenset()
     small = shrunk(pixels, -(-max(pixels.shape[:2]) // _LONGEST)) * np.float32(255)
     blended = premultiplied(small)

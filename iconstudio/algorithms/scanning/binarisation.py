@@ -165,9 +165,9 @@ def scanned(
         # Of lines as of ink, half the darkness.
         threshold = float(np.median(dark[lines & (dark < threshold)])) / 2
     if threshold is not None and scale < _ENLARGED:
-        bright = 1 - fine if inverted else fine
-        light = 1 - dark[..., None] if fine.shape[2] == 4 else resized(bright, dark.shape)
-        fainter = has_fainter_lines(dark, light, threshold)
+        bright = 1 - small if inverted else small
+        light = 1 - coarse[..., None] if small.shape[2] == 4 else bright
+        fainter = has_fainter_lines(scipy.ndimage.gaussian_filter(coarse, 0.7), light, threshold)
     if threshold is None:
         low, high = np.percentile(dark, (1, 99.9))
         dark = np.clip((dark - low) / max(high - low, _FAINTEST), 0, 1)
@@ -226,7 +226,8 @@ def _recognised(pixels: NDArray[np.uint8], inverted: bool | None) -> Scan:
             coarse = shrunk(blank.pixels, _step(blank.pixels)).shape[:2]
             whole = np.ones(coarse, bool) if blank.whole else None
             found = scanned(blank.pixels, inverted, whole)
-            return replace(found, omissions=found.omissions | {Omission.PRINT})
+            # What may be left of the print is no line of the drawing.
+            return replace(found, faint=False, omissions=found.omissions | {Omission.PRINT})
         small = shrunk(pixels, _step(pixels))
         sheet = photographed_sheet(small)
         light = None if sheet is not None else uneven_light(small)

@@ -29,11 +29,11 @@ _SLIM = 8
 """Half the width in pixels of a faint line: the rules of a notebook, or the rim of a stain."""
 _BESIDE = 3
 """Pixels beside ink that its blurred edges reach."""
-_SEEN, _FAINTER = 0.08, 0.02
-"""How dark lines are that one can see, and how much of them beside the ink is told."""
 _VISIBLE, _GRAINS, _SHORT = 0.02, 8.0, 0.1
 """How much darker than paper the faintest lines of a drawing are, also in grains of it; how long
 they are, as part of the picture."""
+_FAINTER = 0.02
+"""How much of them beside ink is told."""
 _THICK = 7
 """Pixels across of what is no line but a shadow or a stain."""
 _DOTS = 0.25
@@ -52,7 +52,7 @@ darker is no noise."""
 def has_fainter_lines(
     dark: NDArray[np.float32], light: NDArray[np.float32], threshold: float
 ) -> bool:
-    """Whether lines can be seen beside the ink that are too faint to be ink.
+    """Whether long lines can be seen beside the ink of a picture that are too faint to be ink.
 
     They are darker in ``light`` (h, w, c), the picture itself, than both of their sides. What is
     darker than one of them is the edge of a shadow.
@@ -62,13 +62,16 @@ def has_fainter_lines(
     paper = dark[away]
     if not paper.size:
         return False
-    grain = 1.48 * np.median(abs(paper - np.median(paper)))
-    seen = without_specks((dark > np.median(paper) + max(_SEEN, 4 * grain)) & away, SPECK)
-    if not seen.sum() > _FAINTER * ink.sum():
-        return False
+    middle = np.median(paper)
+    grain = 1.48 * np.median(abs(paper - middle))
     around = (2 * _SLIM + 1, 2 * _SLIM + 1, 1)
     groove = greatest_channel(scipy.ndimage.grey_closing(light, around) - light)
-    return bool((seen & (groove > _SEEN / 2)).sum() > _FAINTER * ink.sum())
+    seen = away & (dark > middle + max(_VISIBLE, _GRAINS * grain)) & (groove > _VISIBLE / 2)
+    lines, _ = scipy.ndimage.label(seen, np.ones((3, 3)))
+    long = np.zeros(lines.max() + 1, bool)
+    for number, box in enumerate(scipy.ndimage.find_objects(lines), 1):
+        long[number] = max(side.stop - side.start for side in box) > _SHORT * max(seen.shape)
+    return bool(long[lines].sum() > _FAINTER * ink.sum())
 
 
 def drawing_in_faint_lines(dark: NDArray[np.float32], threshold: float) -> NDArray[np.bool_] | None:

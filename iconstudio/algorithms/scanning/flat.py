@@ -37,6 +37,7 @@ from iconstudio.algorithms.scanning.margin import (
     box_of,
     corners_of,
     has_stripes,
+    is_banner,
     rim_of,
 )
 from iconstudio.algorithms.scanning.palette import (
@@ -201,9 +202,9 @@ def _is_full_bleed(
         full = around < AROUND and (striped or not at_corners.all())
         full = full and coloured.any() and not palette.shades
     elif ground is not None:
-        # Letters in two colours on a dark banner are a flag, as in an SVG.
         dark = palette.colours[ground, :3].max() < _DARK and not palette.shades and coloured.any()
-        full = (around > _BLEEDS and coloured[ground]) or (around >= AROUND and dark)
+        banner = around >= AROUND and dark and is_banner(palette.number == ground)
+        full = (around > _BLEEDS and coloured[ground]) or banner
     elif palette.shades:
         full = coloured[list(palette.shades)].all()
     else:
@@ -247,9 +248,10 @@ def _is_painted(
     """Whether a sheet is but a stripe, or a part of a drawing, as too many flat colours tell."""
     if palette is None:
         return False
-    if has_stripes(palette.number != 0, _ALL_ALONG) and _grain(palette, blended) < _GRAIN:
+    smooth = _grain(palette, blended) < _GRAIN
+    if smooth and has_stripes(palette.number != 0, _ALL_ALONG):
         return True
-    if not palette.is_exact(blended):
+    if not (smooth or palette.is_exact(blended)):
         return False
     counted = {one: palette.number == one for one in range(len(palette.colours))}
     on_it = {one for one, there in counted.items() if there[sheet].mean() > _PAINT}

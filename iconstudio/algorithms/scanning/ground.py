@@ -49,6 +49,11 @@ _GENTLE, _ALONG, _TINTED = 5.0, 0.9, 0.25
 how much of it is coloured, at least."""
 
 
+_GRAIN, _BLOCKS = 0.4, 16
+"""Levels by which pixels of paper stray from those around in the median, as no painted ones do; and
+pixels beside edges in which lossy files leave noise."""
+
+
 class Ground(NamedTuple):
     """What is all around a drawing."""
 
@@ -92,6 +97,16 @@ def sharpness(levels: NDArray[np.float32]) -> NDArray[np.float32]:
     within, near = (unevenness(levels, size) for size in (3, _BROAD))
     sharp = np.divide(within, np.maximum(near, 1e-6), dtype=np.float32)
     return sharp
+
+
+def has_grain(pixels: NDArray[np.uint8]) -> bool:
+    """Whether a camera or a scanner saw a picture (h, w, 3): what has no edges is not even."""
+    levels = pixels.astype(np.float32)
+    steep = unevenness(levels, 3) > ASTRAY
+    plain = ~maximum_filter(steep, 2 * _BLOCKS + 1)
+    around = scipy.ndimage.uniform_filter(levels, (3, 3, 1))
+    stray = greatest_channel(abs(levels - around))[plain]
+    return bool(stray.size and np.median(stray) > _GRAIN)
 
 
 def is_gradient(pixels: NDArray[np.uint8]) -> bool:

@@ -31,7 +31,7 @@ _STRIPE = 0.9
 """How much of its bounding box a stripe of a flag fills."""
 _BROAD, _PLAIN, _OBLONG = 0.03, 0.6, 1.2
 """The least height of a stripe on white, as part of the picture's; how much of the lines beside it
-is white; and how oblong a picture with a cross is at least."""
+is white; and how oblong a picture with a cross, or a banner, is at least."""
 _MARGIN = 0.06
 """Width of the margin that is added, as part of the longer side."""
 
@@ -159,6 +159,13 @@ def has_stripes(light: NDArray[np.bool_], beside: float = _PLAIN) -> bool:
     down, across = _stripes(light, beside), _stripes(light.T, beside)
     height, width = light.shape
     return max(down, across) > 1 or (down + across > 1 and width > _OBLONG * height)
+
+
+def is_banner(ground: NDArray[np.bool_]) -> bool:
+    """Whether what is around (h, w) holds letters or the like, as a banner does, and no page."""
+    height, width = ground.shape
+    _, pieces = scipy.ndimage.label(~ground)
+    return bool(pieces > 1 and width > _OBLONG * height)
 
 
 def _stripes(light: NDArray[np.bool_], least: float) -> int:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.extremes import greatest_channel
 from iconstudio.algorithms.scanning.cutting import cut_out
-from iconstudio.algorithms.scanning.ground import AROUND, ASTRAY, Ground, ground_of
+from iconstudio.algorithms.scanning.ground import AROUND, ASTRAY, Ground, ground_of, has_grain
 from iconstudio.algorithms.scanning.resampling import premultiplied
 from iconstudio.algorithms.scanning.soft_shadow import TINGE, soft_shadow
 from iconstudio.algorithms.scanning.tile_shadow import shadow_of_tile
@@ -48,6 +48,8 @@ def without_shadow(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     ground = ground_of(premultiplied(levels))
     if ground is None or ground.around < _AROUND or ground.colour[:3].max() < 2 * ASTRAY:
         return None
+    if has_grain(pixels):
+        return None  # the soft edges of ink on paper are none
     bright = (levels @ ground.colour[:3]) / (ground.colour[:3] @ ground.colour[:3])
     tinge = greatest_channel(abs(levels - bright[..., None] * ground.colour[:3]))
     grey = (tinge < TINGE) & ~ground.mask

@@ -23,8 +23,9 @@ _BEYOND = 0.5
 """How much of the edge of the picture that is not of the sheet is of the desk, at least."""
 _BESIDE = (5, 8)
 """Pixels on either side of an edge that are compared."""
-_STEP = 0.035
-"""By how much a desk is darker than the paper beside it, as part of it, at least."""
+_STEP, _FARTHER = 0.035, 15
+"""By how much a desk is darker than the paper beside it, as part of it, at least, besides what the
+light falls by that far into the sheet, in pixels."""
 _ALONG, _ALL_BUT = 48, 0.8
 """At how many points of a side that is asked; and at how many it is so, as the drawing may touch
 the side somewhere."""
@@ -111,8 +112,11 @@ def _support(
         seen = np.isfinite(inner).all(axis=0) & np.isfinite(outer).all(axis=0)
         if not seen.any():
             continue
-        darker = (inner.min(axis=0) - outer.max(axis=0))[seen] > _STEP * inner.min(axis=0)[seen]
-        least = min(least, float(darker.mean()))
+        paper = inner.min(axis=0)[seen]
+        # Where the light falls steeply by itself, nothing ends.
+        within = np.nan_to_num(_at(light, at + _FARTHER * across)[seen])
+        fall = paper - outer.max(axis=0)[seen] - np.clip(within - inner[0][seen], 0, None)
+        least = min(least, float((fall > _STEP * paper).mean()))
     return least
 
 
