@@ -154,3 +154,23 @@ def test_the_darker_squares_of_a_board_are_ink_within_a_frame(colours):
     filled = scipy.ndimage.binary_fill_holes(inked > 127)
     assert filled[50:460, 50:460].all()
     assert not omissions
+
+
+@pytest.mark.thorough(but=1)
+@pytest.mark.parametrize("pole", ["#555", "#a67c52"])
+def test_a_chequered_flag_on_a_pole_is_a_board(pole):
+    squares = "".join(
+        path(
+            f"M{4 + 3.100 * x} {2 + 3.100 * y}h3.100v3.100h-3.100z",
+            "#fff" if (x + y) % 2 else "#111",
+        )
+        for x in range(6)
+        for y in range(4)
+    )
+    inked = pictogram(rgba(path("M2.500 1H4v22H2.500z", pole) + squares))
+    for x in range(6):
+        for y in range(4):
+            row, column = (round(at * 512 / 24) for at in (3.550 + 3.100 * y, 5.550 + 3.100 * x))
+            assert (inked[row, column] > 127) == ((x + y) % 2 == 0)
+    assert inked[450, round(3.250 * 512 / 24)] > 127
+    assert scipy.ndimage.binary_fill_holes(inked > 127)[50:300, 95:475].all()

@@ -22,6 +22,8 @@ _SQUARES = 4
 """Of either colour of a board, at least: a page with dots has one of paper."""
 _UNLIKE = 3.0
 """How many times as large as usual a square of a board is at most."""
+_CORNER = 4
+"""Pixel sides at which squares may meet that are aslant of each other."""
 _THICK = 28.0
 """Width in pixels of the thinnest layer; a thinner one reads as a line of paper."""
 _THICKER, _FEW = 1.3, 3
@@ -50,23 +52,37 @@ def stacked(found: Regions) -> Mask:
 
 
 def checkered(found: Regions) -> Mask | None:
-    """Return the darker of all regions (k + 1,) of a board in two colours; None if it is none."""
-    lightness = found.colours[1:, 0]
-    dark = np.append(False, lightness < (lightness.min() + lightness.max()) / 2)
-    if len(lightness) < 2 * _SQUARES or rectangularity(found) < SHARP:
+    """Return the regions (k + 1,) that are ink of a board in two colours; None if it is none.
+
+    These are its darker squares, and the pole that it is on, if it is a flag.
+    """
+    square = found.areas <= _UNLIKE * np.median(found.areas[1:])
+    square[0] = False
+    tones = [one for one in _tones(found, square) if one.sum() >= _SQUARES]
+    if len(tones) != 2:
         return None
-    if found.areas[1:].max() > _UNLIKE * np.median(found.areas[1:]):
+    board = tones[0] | tones[1]
+    beside = ~board
+    beside[0] = False
+    pole = (found.lengths[0] > 0) & ~found.white
+    if beside.sum() > 1 or (beside & ~pole).any() or rectangularity(found, board) < SHARP:
         return None
-    for tone in (dark, ~dark):
-        tone[0] = False
-        if tone.sum() < _SQUARES:
-            return None
-        colours = found.colours[tone]
-        if np.linalg.norm(colours - colours[0], axis=1).max() > ALIKE:
-            return None
-        if found.lengths[np.ix_(tone, tone)].any():
-            return None
-    return dark
+    if any((found.lengths[np.ix_(tone, tone)] > _CORNER).any() for tone in tones):
+        return None
+    dark = min(tones, key=lambda tone: float(found.colours[tone, 0].mean()))
+    return dark | beside
+
+
+def _tones(found: Regions, some: Mask) -> list[Mask]:
+    """Return which of some regions (k + 1,) have each colour."""
+    rest = some.copy()
+    tones: list[Mask] = []
+    while rest.any():
+        first = found.colours[rest.argmax()]
+        alike = rest & (np.linalg.norm(found.colours - first, axis=1) <= ALIKE)
+        tones.append(alike)
+        rest &= ~alike
+    return tones
 
 
 def _layers(found: Regions, outer: Mask) -> Mask:

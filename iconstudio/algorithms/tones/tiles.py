@@ -35,10 +35,11 @@ _GLOSS = 0.6
 """How much a gloss on a tile differs from it, at most, as part of what the drawing does."""
 
 
-def rectangularity(found: Regions) -> float:
-    """Return how much of its bounding box the silhouette fills."""
-    height, width = _box(found.labels > 0)
-    return float(found.areas[1:].sum() / (height * width))
+def rectangularity(found: Regions, some: Mask | None = None) -> float:
+    """Return how much of its bounding box the silhouette fills, or some of the regions (k + 1,)."""
+    some = np.arange(len(found.areas)) > 0 if some is None else some
+    height, width = _box(some[found.labels])
+    return float(found.areas[some].sum() / (height * width))
 
 
 def tile(found: Regions) -> Mask:
