@@ -303,3 +303,27 @@ def test_a_faint_line_around_white_is_drawn(white, line):
     assert coverage[inside & (depth < 6)].mean() > 0.9
     assert coverage[yolk].mean() > 0.97
     assert coverage[(depth > 16) & ~scipy.ndimage.binary_dilation(yolk, iterations=3)].mean() < 0.01
+
+
+@pytest.mark.parametrize("seam", [1, 1.5, 2.5])
+def test_facets_between_white_seams_are_ink_and_white_ones_within_an_outline(seam):
+    facets = {
+        "#d35400": ["6,6 22,22 12,34", "58,6 42,22 52,34"],
+        "#f39c12": ["22,22 12,34 32,38", "42,22 52,34 32,38", "22,22 42,22 32,38"],
+        "#f5f5f5": ["12,34 32,38 26,54", "52,34 32,38 38,54", "26,54 32,38 38,54"],
+        "#2c3e50": ["26,54 38,54 32,60"],
+    }
+    fox = {
+        colour: "".join(
+            f'<polygon points="{one}" fill="{colour}" stroke="#fff" stroke-width="{seam}"/>'
+            for one in points
+        )
+        for colour, points in facets.items()
+    }
+    drawing = rgba("".join(fox.values()), box="0 0 64 64")
+    ink = pictogram(drawing) > 127
+    inside = drawing[..., 3] > 127
+    white = (drawing[..., :3] > 240).all(axis=2) & inside
+    depth = scipy.ndimage.distance_transform_edt(inside)
+    assert ink[scipy.ndimage.binary_erosion(inside & ~white, iterations=4)].mean() > 0.95
+    assert ink[scipy.ndimage.binary_erosion(white, iterations=10) & (depth > 18)].mean() < 0.05

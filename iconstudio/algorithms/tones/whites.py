@@ -81,6 +81,8 @@ def whites(found: Regions) -> Whites:
     at_outside &= ~framed
     wide = (found.widths > THICK) | (outer > _AROUND * found.around)
     body = at_outside & wide & _is_white_around(found)
+    for number in np.flatnonzero(body & (outer <= _AROUND * found.around)):
+        body[number] = not _is_rim(found, int(number))
     # A narrow band sets other colours off.
     compact = (found.areas < _COMPACT * found.widths**2) & (found.widths > _BAND / 2)
     on_one_side = (found.widths > _BAND) & (outer < _ONE_SIDE * outer.sum())
@@ -141,6 +143,18 @@ def _is_white_around(found: Regions) -> Mask:
     of_white = sums(piece, np.where(found.white, outer, 0))
     around: Mask = (of_white > _AROUND * sums(piece, outer))[piece]
     return around
+
+
+def _is_rim(found: Regions, number: int) -> bool:
+    """Whether a white region is on the outside mostly as a narrow line around other colours.
+
+    Such are the seams between facets, which go over into facets that are white.
+    """
+    mask = found.labels == number
+    away = scipy.ndimage.distance_transform_edt(np.pad(mask, 1))[1:-1, 1:-1]
+    thick = scipy.ndimage.distance_transform_edt(away <= _BAND / 2) <= _BAND / 2 + 1
+    edge = mask & scipy.ndimage.binary_dilation(found.labels == 0)
+    return bool((edge & thick).sum() < 0.5 * edge.sum())
 
 
 def _on_ink(found: Regions) -> Mask:
