@@ -68,7 +68,8 @@ class Identifiers:
     def _without(self, identifier: str, near: tuple[str, ...], advice: str) -> str:
         """Return that there is no such icon, and what is near, or else an advice."""
         prefix, _, name = identifier.partition(":")
-        once = _ONCE if prefix in self._sets and any(name in one for one in near) else ""
+        named = any(f"-{name}-" in f"-{one.partition(':')[2]}-" for one in near)
+        once = _ONCE if prefix in self._sets and named else ""
         return (
             f"The collection has no icon '{messages.shortened(identifier)}'.{once}"
             f"{messages.hint(near) or advice}"

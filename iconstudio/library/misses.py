@@ -22,7 +22,8 @@ def told(keyword: str, lookup: Lookup, near: tuple[str, ...] = ()) -> str:
         return f"{none}{messages.hint(near)}"
     if beside := lookup.beside(name):
         return f"{none} Of its kind there are: {', '.join(beside)}."
-    negated = is_negated(tuple(words.split()))
+    # An identifier names an icon, whatever its words say.
+    negated = is_negated(tuple(words.split())) and name == keyword.strip()
     if negated:
         none = f"{none} {messages.FORBIDDING}"
     named_by_symbol = symbols.has_symbols(keyword) and not negated

@@ -133,6 +133,19 @@ def test_pale_marks_that_lie_free_on_white_stay_beside_other_colours():
 
 
 @pytest.mark.thorough
+@pytest.mark.parametrize("line", ["#d0d8dc", "#ddd", "#bdc3c7"])
+@pytest.mark.parametrize("paper", ["#fff", "#ecf0f1"])
+def test_the_pale_flap_of_a_letter_on_a_badge_is_drawn(paper, line):
+    badge = '<circle cx="12" cy="12" r="11" fill="#3498db"/>'
+    letter = f'<path d="M6 7.500h12v9H6z" fill="{paper}"/>'
+    flap = f'<path d="M6 7.500l6 5 6-5" fill="none" stroke="{line}" stroke-width="1"/>'
+    ink = tone.pictogram(drawn(badge + letter + flap)).coverage > 127
+    within = drawn('<path d="M7 8.500h10v7H7z"/>')[..., 3] > 127
+    right = drawn(flap)[..., 3] > 127
+    assert (ink != right)[within].sum() < 0.15 * right[within].sum()
+
+
+@pytest.mark.thorough
 def test_the_shade_of_something_white_is_no_mark():
     ball = '<circle cx="12" cy="12" r="9" fill="#fff"/><circle cx="19" cy="5" r="4" fill="#333"/>'
     shade = '<path d="M12 21a9 9 0 0 0 9-9h-3a6 6 0 0 1-6 6z" fill="#ddd"/>'

@@ -175,6 +175,17 @@ def test_an_unknown_identifier_names_icons_of_that_name(opened):
         collection.get("b-dog")
 
 
+def test_a_misspelt_identifier_is_not_one_of_several_that_look_alike(opened):
+    with pytest.raises(IconstudioError, match=r"no icon 'a:hous'\. Did you mean a:house"):
+        opened(small("house", "houses")).get("a:hous")
+
+
+def test_an_identifier_forbids_nothing_whatever_its_words_say(opened):
+    with pytest.raises(IconstudioError) as told:
+        opened(small("dog")).search("a:no-such-zebra")
+    assert "forbidden" not in str(told.value)
+
+
 def test_excluded_icons_do_not_come_back(opened):
     collection = opened(icon_set("a", {"dog": shape(1), "dog-side": shape(2)}))
     assert ids(collection, "dog", exclude=frozenset({"a:dog", "a:unknown"})) == ["dog-side"]

@@ -35,7 +35,7 @@ _PLAIN, _PAINTS = 0.93, 6
 """How much of a flat drawing has one of how many colours."""
 _AROUND, _FEW = 0.9, 3
 """How much of the contour has a pale line; how many more regions there may be with it."""
-_FREE, _ONE = 0.9, 2.0
+_FREE, _ONE = 0.75, 2.0
 """How much of their contour marks of one colour share with white, and by how much that varies."""
 _PALEST, _PLAIN_TO_SEE = 4.0, 15.0
 """How much pale marks differ from white; what differs by more is told from it anyway."""

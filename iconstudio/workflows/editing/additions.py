@@ -15,7 +15,7 @@ _INSIDE = (
     "parts of other icons happen to have. Draw a hole or lines for what is to be seen inside."
 )
 _SMALLER = (
-    "What you added has no room on the canvas, or reaches its border: all is made smaller, to "
+    "What you added has no room on the canvas, or comes near its border: all is made smaller, to "
     "{} of its size. To keep the size, draw it further inside."
 )
 _MISSED = (

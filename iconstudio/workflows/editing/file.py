@@ -57,7 +57,7 @@ class EditFile(File[Edit], frozen=True):
                     Polygon.of(points).check_area()
                 except IconstudioError as error:
                     raise IconstudioError(
-                        f'The polygon {number} of "{key}" is no good. {error}'
+                        f'Polygon {number} of "{key}" is no good. {error}'
                     ) from None
 
 
