@@ -8,7 +8,7 @@ import pytest
 from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.resolution import SIDE
 from iconstudio.algorithms.tones.tone import pictogram
-from tests.algorithms.test_tone import amiss, ink, rgba
+from tests.algorithms.test_tone import amiss, ink, path, rgba
 
 pytestmark = pytest.mark.thorough(but=1)
 
@@ -194,3 +194,14 @@ def test_a_small_part_in_a_strong_colour_on_white_is_ink():
     assert (drawn[there] > 127).mean() > 0.9
     pale = pictogram(rgba(PENGUIN + BEAK.format("#f0e8d0"), SIDE)).coverage
     assert (pale[there] > 127).mean() < 0.1
+
+
+def test_the_counter_of_a_white_letter_is_as_what_is_around_it():
+    sign = '<rect x="2" y="2" width="20" height="20" rx="2" fill="#1565c0" stroke="#111"/>'
+    letter = path(
+        "M8.500 6h5a3.500 3.500 0 0 1 0 7.500h-2.500v5h-2.500zM11 8.500v2.500h2v-2.500z", "#fff"
+    )
+    drawn = pictogram(rgba(sign + letter, SIDE)).coverage > 127
+    within = ink('<rect x="4" y="4" width="16" height="16"/>', SIDE) > 127
+    right = ink(letter, SIDE) > 127
+    assert (drawn != right)[within].sum() < 0.05 * right.sum()

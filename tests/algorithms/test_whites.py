@@ -327,3 +327,24 @@ def test_facets_between_white_seams_are_ink_and_white_ones_within_an_outline(sea
     depth = scipy.ndimage.distance_transform_edt(inside)
     assert ink[scipy.ndimage.binary_erosion(inside & ~white, iterations=4)].mean() > 0.95
     assert ink[scipy.ndimage.binary_erosion(white, iterations=10) & (depth > 18)].mean() < 0.05
+
+
+@pytest.mark.parametrize("page", ["#fff", "#f5f5f5", "#eceff1"])
+@pytest.mark.parametrize("days", [(3, 4), (4, 5)])
+def test_a_page_with_many_marks_is_within_an_outline(page, days):
+    rows, columns = days
+    marks = "".join(
+        f'<rect x="{20 + 56 / columns * x}" y="{42 + 44 / rows * y}" width="9" height="8" '
+        'fill="#90a4ae"/>'
+        for y in range(rows)
+        for x in range(columns)
+    )
+    body = f'<rect x="9" y="16" width="82" height="76" rx="9" fill="{page}"/>'
+    header = '<path d="M9 36V25a9 9 0 0 1 9-9h64a9 9 0 0 1 9 9v11z" fill="#e53935"/>'
+    drawing = rgba(body + header + marks, box=BOX)
+    ink = pictogram(drawing) > 127
+    depth = scipy.ndimage.distance_transform_edt(drawing[..., 3] > 127)
+    assert ink[(depth > 2) & (depth < OUTLINE - 3)].mean() > 0.98
+    assert ink[rgba(marks, box=BOX)[..., 3] > 127].mean() > 0.95
+    paper = (depth > OUTLINE + 3) & (rgba(header + marks, box=BOX)[..., 3] < 128)
+    assert ink[scipy.ndimage.binary_erosion(paper, iterations=3)].mean() < 0.01

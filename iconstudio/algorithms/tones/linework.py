@@ -192,6 +192,9 @@ def _marks(found: Regions) -> Mask:
     darker = found.colours[:, 0] < found.colours[around, 0] - _DARKER
     apart = np.linalg.norm(found.colours - found.colours[around], axis=1)
     vivid = (apart > VIVID) & (found.contrasts.max(axis=1) > VISIBLE) & found.white[around]
+    # In a white letter, what is of the colour around it is its counter.
+    behind = found.colours[around[around]]
+    vivid &= np.linalg.norm(found.colours - behind, axis=1) > ALIKE
     marks: Mask = free & ((grey & ground & darker) | vivid)
     return marks
 

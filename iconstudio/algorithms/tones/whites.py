@@ -51,6 +51,8 @@ _GAP, _ALONG = 12.0, 0.6
 contour on the outside runs along one."""
 _PALE = 55.0
 """Lightness of the darkest line that is a pale outline."""
+_MARKED = 1.5
+"""How much larger than its paper a page with marks is, at most."""
 _WHOLE = 0.95
 """How much of its convex hull a shape fills that a band of white divides, with that band."""
 
@@ -79,7 +81,8 @@ def whites(found: Regions) -> Whites:
     at_outside = white & (outer > 0)
     framed = at_outside & _framed(found)
     at_outside &= ~framed
-    wide = (found.widths > THICK) | (outer > _AROUND * found.around)
+    widths = _widths(found, at_outside & (found.widths <= THICK))
+    wide = (widths > THICK) | (outer > _AROUND * found.around)
     body = at_outside & wide & _is_white_around(found)
     for number in np.flatnonzero(body & (outer <= _AROUND * found.around)):
         body[number] = not _is_rim(found, int(number))
@@ -94,6 +97,18 @@ def whites(found: Regions) -> Whites:
     outlined = at_outside & ~body & (found.widths > _BAND) & (part & alike & wide).any(axis=1)
     paper = white & ~body & (at_outside | framed | _on_ink(found))
     return Whites(paper, part | outlined, none)
+
+
+def _widths(found: Regions, some: Mask) -> NDArray[np.float64]:
+    """Return the mean widths (k + 1,), of some without the marks upon them, as days on a page."""
+    widths = found.widths.copy()
+    for number in np.flatnonzero(some):
+        whole = scipy.ndimage.binary_fill_holes(found.labels == number)
+        # What is mostly hole is a rim around something.
+        if found.areas[number] < whole.sum() < found.areas[number] * _MARKED:
+            away = scipy.ndimage.distance_transform_edt(np.pad(whole, 1))
+            widths[number] = 4 * away.sum() / whole.sum()
+    return widths
 
 
 def beside_outline(found: Regions, paper: Mask) -> Mask:
