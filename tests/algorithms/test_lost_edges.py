@@ -78,3 +78,24 @@ def test_gloss_goes_with_its_tile():
     letter = '<path d="M7 7h10v3H13v8h-2v-8H7z" fill="#fff"/>'
     told = tone.pictogram(rgba(tile + gloss + letter, tone.SIDE)).omissions
     assert told == {Omission.TILE}
+
+
+STRIPES = '<path d="M7.500 10h9M7.500 12.500h9M7.500 15h9" stroke="{}"/>'
+NET = '<path d="M12 1v4M12 19v4M4 8v8M20 8v8M4 8l8-4 8 4M4 16l8 4 8-4" fill="none" stroke="{}"/>'
+LINES = {
+    "stripes on a box": (
+        '<circle cx="12" cy="12" r="11" fill="#32bea6"/><path d="M6 8h12v9H6z" fill="#ffe05a"/>',
+        STRIPES.format("#f5b400"),
+    ),
+    "a net behind a letter": (
+        '<circle cx="12" cy="12" r="11" fill="#4b235a"/><path d="M9 8h6v8H9z" fill="#fff"/>',
+        NET.format("#6f4f7b"),
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", LINES)
+def test_lines_that_are_lost_on_an_even_ground_are_told(kind):
+    ground, lines = LINES[kind]
+    assert Omission.SHADES in tone.pictogram(rgba(ground + lines, tone.SIDE)).omissions
+    assert Omission.SHADES not in tone.pictogram(rgba(ground, tone.SIDE)).omissions

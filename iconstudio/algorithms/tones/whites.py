@@ -103,7 +103,7 @@ def _widths(found: Regions, some: Mask) -> NDArray[np.float64]:
     """Return the mean widths (k + 1,), of some without the marks upon them, as days on a page."""
     widths = found.widths.copy()
     for number in np.flatnonzero(some):
-        whole = scipy.ndimage.binary_fill_holes(found.labels == number)
+        whole = scipy.ndimage.binary_fill_holes(found.labels == number) & (found.labels > 0)
         # What is mostly hole is a rim around something.
         if found.areas[number] < whole.sum() < found.areas[number] * _MARKED:
             away = scipy.ndimage.distance_transform_edt(np.pad(whole, 1))
