@@ -18,6 +18,7 @@ from iconstudio.algorithms.scanning.dark_edge import dark_edge
 from iconstudio.algorithms.scanning.darkness import darkness, ground_of, seen_through
 from iconstudio.algorithms.scanning.dithering import without_dithering
 from iconstudio.algorithms.scanning.doubts import (
+    CLEAN,
     LEAST,
     PLAIN,
     SPECK,
@@ -35,6 +36,7 @@ from iconstudio.algorithms.scanning.faint_lines import faint_lines, is_clean, wi
 from iconstudio.algorithms.scanning.finger import finger
 from iconstudio.algorithms.scanning.flat import flat_drawing
 from iconstudio.algorithms.scanning.free import LARGE, free_drawing, on_nothing
+from iconstudio.algorithms.scanning.ground import has_grain
 from iconstudio.algorithms.scanning.margin import box_of, rim_of, with_margin, without_half_lines
 from iconstudio.algorithms.scanning.noise import without_noise
 from iconstudio.algorithms.scanning.pale import darkened
@@ -167,7 +169,13 @@ def scanned(
     if threshold is not None and scale < _ENLARGED:
         bright = 1 - small if inverted else small
         light = 1 - coarse[..., None] if small.shape[2] == 4 else bright
-        fainter = has_fainter_lines(scipy.ndimage.gaussian_filter(coarse, 0.7), light, threshold)
+        # Of what no camera saw, what is drawn whole at a finer resolution is not lost.
+        fainter = has_fainter_lines(
+            scipy.ndimage.gaussian_filter(coarse, 0.7), light, threshold
+        ) and (
+            has_grain((255 * np.clip(light[..., :3], 0, 1)).astype(np.uint8))
+            or has_fainter_lines(dark, resized(light, dark.shape), threshold, CLEAN)
+        )
     if threshold is None:
         low, high = np.percentile(dark, (1, 99.9))
         dark = np.clip((dark - low) / max(high - low, _FAINTEST), 0, 1)

@@ -29,9 +29,11 @@ _SLIM = 8
 """Half the width in pixels of a faint line: the rules of a notebook, or the rim of a stain."""
 _BESIDE = 3
 """Pixels beside ink that its blurred edges reach."""
-_VISIBLE, _GRAINS, _SHORT = 0.02, 8.0, 0.1
+VISIBLE, _GRAINS, _SHORT = 0.02, 8.0, 0.1
 """How much darker than paper the faintest lines of a drawing are, also in grains of it; how long
 they are, as part of the picture."""
+CLEAN = 0.08
+"""As the first, where no camera or scanner saw the drawing."""
 _FAINTER = 0.02
 """How much of them beside ink is told."""
 _THICK = 7
@@ -50,7 +52,10 @@ darker is no noise."""
 
 
 def has_fainter_lines(
-    dark: NDArray[np.float32], light: NDArray[np.float32], threshold: float
+    dark: NDArray[np.float32],
+    light: NDArray[np.float32],
+    threshold: float,
+    visible: float = VISIBLE,
 ) -> bool:
     """Whether long lines can be seen beside the ink of a picture that are too faint to be ink.
 
@@ -66,7 +71,7 @@ def has_fainter_lines(
     grain = 1.48 * np.median(abs(paper - middle))
     around = (2 * _SLIM + 1, 2 * _SLIM + 1, 1)
     groove = greatest_channel(scipy.ndimage.grey_closing(light, around) - light)
-    seen = away & (dark > middle + max(_VISIBLE, _GRAINS * grain)) & (groove > _VISIBLE / 2)
+    seen = away & (dark > middle + max(visible, _GRAINS * grain)) & (groove > visible / 2)
     lines, _ = scipy.ndimage.label(seen, np.ones((3, 3)))
     long = np.zeros(lines.max() + 1, bool)
     for number, box in enumerate(scipy.ndimage.find_objects(lines), 1):
@@ -84,7 +89,7 @@ def drawing_in_faint_lines(dark: NDArray[np.float32], threshold: float) -> NDArr
     paper = dark[dark < threshold]
     middle = np.median(paper)
     grain = 1.48 * np.median(abs(paper - middle))
-    seen = dark > middle + max(_VISIBLE, _GRAINS * grain)
+    seen = dark > middle + max(VISIBLE, _GRAINS * grain)
     labels, _ = scipy.ndimage.label(seen, np.ones((3, 3)))
     shaded = scipy.ndimage.binary_opening(seen & (dark < threshold), np.ones((_THICK, _THICK)))
     no_lines = {0, *np.unique(rim_of(labels)), *np.unique(labels[shaded])}
