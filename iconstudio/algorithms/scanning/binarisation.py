@@ -167,15 +167,12 @@ def scanned(
         # Of lines as of ink, half the darkness.
         threshold = float(np.median(dark[lines & (dark < threshold)])) / 2
     if threshold is not None and scale < _ENLARGED:
-        bright = 1 - small if inverted else small
-        light = 1 - coarse[..., None] if small.shape[2] == 4 else bright
-        # Of what no camera saw, what is drawn whole at a finer resolution is not lost.
-        fainter = has_fainter_lines(
-            scipy.ndimage.gaussian_filter(coarse, 0.7), light, threshold
-        ) and (
-            has_grain((255 * np.clip(light[..., :3], 0, 1)).astype(np.uint8))
-            or has_fainter_lines(dark, resized(light, dark.shape), threshold, CLEAN)
-        )
+        light = _light(small, coarse, inverted)
+        fainter = has_fainter_lines(scipy.ndimage.gaussian_filter(coarse, 0.7), light, threshold)
+        if fainter and not has_grain((255 * np.clip(light, 0, 1)).astype(np.uint8)):
+            # What no camera saw may be drawn whole at a finer resolution.
+            light = resized(_light(fine, dark, inverted), dark.shape)
+            fainter = has_fainter_lines(dark, light, threshold, CLEAN)
     if threshold is None:
         low, high = np.percentile(dark, (1, 99.9))
         dark = np.clip((dark - low) / max(high - low, _FAINTEST), 0, 1)
@@ -188,6 +185,15 @@ def scanned(
         fainter,
         omissions=left_out,
     )
+
+
+def _light(
+    seen: NDArray[np.float32], dark: NDArray[np.float32], inverted: bool
+) -> NDArray[np.float32]:
+    """Return a picture (h, w, 3), dark on light; or how light that is which has alpha (h, w, 4)."""
+    if seen.shape[2] == 4:
+        return 1 - dark[..., None]
+    return 1 - seen if inverted else seen
 
 
 def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:

@@ -67,16 +67,21 @@ def has_fainter_lines(
     paper = dark[away]
     if not paper.size:
         return False
-    middle = np.median(paper)
-    grain = 1.48 * np.median(abs(paper - middle))
     around = (2 * _SLIM + 1, 2 * _SLIM + 1, 1)
     groove = greatest_channel(scipy.ndimage.grey_closing(light, around) - light)
-    seen = away & (dark > middle + max(visible, _GRAINS * grain)) & (groove > visible / 2)
+    seen = away & (dark > _faintest(paper, visible)) & (groove > visible / 2)
     lines, _ = scipy.ndimage.label(seen, np.ones((3, 3)))
     long = np.zeros(lines.max() + 1, bool)
     for number, box in enumerate(scipy.ndimage.find_objects(lines), 1):
         long[number] = max(side.stop - side.start for side in box) > _SHORT * max(seen.shape)
     return bool(long[lines].sum() > _FAINTER * ink.sum())
+
+
+def _faintest(paper: NDArray[np.float32], visible: float) -> float:
+    """Return how dark the faintest lines on paper (n,) are."""
+    middle = np.median(paper)
+    grain = 1.48 * np.median(abs(paper - middle))
+    return float(middle + max(visible, _GRAINS * grain))
 
 
 def drawing_in_faint_lines(dark: NDArray[np.float32], threshold: float) -> NDArray[np.bool_] | None:
@@ -87,9 +92,7 @@ def drawing_in_faint_lines(dark: NDArray[np.float32], threshold: float) -> NDArr
     """
     ink = box_of(without_specks(dark > threshold, SPOT))
     paper = dark[dark < threshold]
-    middle = np.median(paper)
-    grain = 1.48 * np.median(abs(paper - middle))
-    seen = dark > middle + max(VISIBLE, _GRAINS * grain)
+    seen = dark > _faintest(paper, VISIBLE)
     labels, _ = scipy.ndimage.label(seen, np.ones((3, 3)))
     shaded = scipy.ndimage.binary_opening(seen & (dark < threshold), np.ones((_THICK, _THICK)))
     no_lines = {0, *np.unique(rim_of(labels)), *np.unique(labels[shaded])}

@@ -33,6 +33,8 @@ VISIBLE, VIVID = 18.0, 50.0
 """As STRIKING, for those whose distance in CIELAB is above the second."""
 ROOMY = 24.0
 """Width in pixels of the narrowest of these."""
+UPON = 0.9
+"""How much of its contour a mark upon a region shares with that."""
 MOST = 256
 """Regions that are told apart; where there are more, small ones join their neighbours."""
 _SMALLEST = 6
@@ -74,6 +76,11 @@ class Regions:
         """(k + 1,): the lengths of their contours, in pixel sides, at least 1."""
         around: NDArray[np.float64] = np.maximum(self.lengths.sum(axis=1), 1)
         return around
+
+    @property
+    def beside(self) -> NDArray[np.float64]:
+        """(k + 1, k + 1): how long each is beside others, not counting the marks upon it."""
+        return np.where(self.lengths > UPON * self.around, 0, self.lengths)
 
     @property
     def striking(self) -> Mask:

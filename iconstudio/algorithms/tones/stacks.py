@@ -16,8 +16,6 @@ from iconstudio.algorithms.tones.tiles import SHARP, rectangularity
 
 _SEVERAL, _MOST_BESIDE = 4, 0.4
 """Neighbours that a piece of a mosaic has, and how much of its contour one of them has at most."""
-_UPON = 0.9
-"""How much of its contour a mark upon a piece shares with that."""
 _SQUARES = 4
 """Of either colour of a board, at least: a page with dots has one of paper."""
 _UNLIKE = 3.0
@@ -43,10 +41,9 @@ def stacked(found: Regions) -> Mask:
     for number in np.flatnonzero(outer):
         beside = np.flatnonzero(outer & (found.lengths[number] > 0))
         middle[number] |= len(beside) == 2 and not _are_alike(found, *beside)
-    upon_it = found.lengths > _UPON * found.around
-    beside_it = np.where(upon_it, 0, found.lengths)
-    several = (beside_it > 0).sum(axis=1) >= _SEVERAL
-    middle |= several & (beside_it.max(axis=1) < _MOST_BESIDE * beside_it.sum(axis=1)) & ~outer
+    around = found.beside
+    several = (around > 0).sum(axis=1) >= _SEVERAL
+    middle |= several & (around.max(axis=1) < _MOST_BESIDE * around.sum(axis=1)) & ~outer
     middle[0] = False
     return middle
 

@@ -178,7 +178,7 @@ def _on_ink(found: Regions) -> Mask:
     What lies upon a region, as the days of a calendar do, does not count.
     """
     reaching = found.lengths[0] > 0
-    beside = np.where(found.lengths > _WITHIN * found.around, 0, found.lengths)
+    beside = found.beside
     on_ink: Mask = beside[:, reaching].sum(axis=1) > 0.5 * beside.sum(axis=1)
     return on_ink
 
